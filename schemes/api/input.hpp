@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "schemes/curve/vec.hpp"
+
+namespace kappabench {
+
+/// Chen 2019: what the curve does at a point.
+enum class PointType { regular, cusp, loop, inflection };
+
+[[nodiscard]] std::string_view name(PointType type);
+
+/// What a user may say about one point; a scheme reads what it knows and ignores the rest, so that one
+/// drawing serves every scheme.
+struct PointOptions {
+  std::optional<PointType> type;
+  std::optional<double> a;          ///< Miura 2022: magnitude of the curvature extremum
+  std::optional<double> h;          ///< Chen 2019: shape at an inflection
+  std::optional<double> alpha;      ///< Chen 2019: loop size before the point
+  std::optional<double> beta;       ///< Chen 2019: loop size after the point
+  std::optional<double> tangent;    ///< direction angle, radians
+  std::optional<double> curvature;  ///< signed, 1/length
+
+  [[nodiscard]] bool operator==(const PointOptions&) const = default;
+};
+
+/// A sequence of points to interpolate, closed or open. `ids` are stable names of the points: they
+/// survive insertion and erasure of others. `options` is empty (nobody said anything) or one for each point.
+struct Input {
+  std::vector<Vec2> points;
+  bool closed = false;
+  std::vector<PointOptions> options;
+  std::vector<int> ids;  ///< empty means 0, 1, 2, ...
+
+  [[nodiscard]] int size() const { return static_cast<int>(points.size()); }
+  [[nodiscard]] const PointOptions& options_of(int i) const;
+  [[nodiscard]] int id_of(int i) const { return ids.empty() ? i : ids[static_cast<std::size_t>(i)]; }
+};
+
+/// Mean distance between consecutive points (with the closing chord, if closed): the length to which
+/// tolerances are relative. 0 for fewer than two points.
+[[nodiscard]] double mean_chord(const Input& input);
+
+}  // namespace kappabench

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schemes/api/edit.hpp"
+#include "schemes/api/fit.hpp"
+#include "schemes/api/parameters.hpp"
+
+namespace kappabench {
+
+/// What a scheme claims about itself; the conformance suite and the metrics test the claims.
+struct SchemeTraits {
+  bool open = true;
+  bool closed = true;
+  int fewest_open_points = 3;
+  int fewest_closed_points = 3;
+  Continuity continuity = Continuity::g2;
+  std::string continuity_exceptions{};  ///< in words, empty for none
+  /// How many spans on each side of a moved point may change; -1 means all of them.
+  int locality = -1;
+  bool similarity_invariant = true;
+  bool reversal_invariant = true;
+  bool cyclic_shift_invariant = true;  ///< closed curves
+  bool repeats_allowed = false;        ///< takes coincident consecutive points
+};
+
+struct SchemeInfo {
+  std::string id;
+  std::string title;     ///< a few words
+  std::string citation;  ///< authors, title, venue, year
+  std::vector<ParameterSpec> parameters{};
+  SchemeTraits traits{};
+  int version = 1;  ///< raise when results change: cells of older versions are recomputed
+};
+
+/// A way to turn points into a curve, with its parameters already chosen. Immutable; `fit` may be called
+/// from several threads.
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+
+  [[nodiscard]] const SchemeInfo& info() const { return info_; }
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+
+  /// Fits `input`. Never throws for bad data: input that no scheme can take (NaN, coincident consecutive
+  /// points, too few points, open or closed where the traits say no) is refused here as
+  /// `unsupported_input` with one line, so authors of schemes need not check it again.
+  [[nodiscard]] Fit fit(const Input& input) const;
+
+  /// Fits the edited input of an earlier fit; by default from scratch.
+  [[nodiscard]] Fit refit(const Fit& fit, const Edit& edit) const;
+
+ protected:
+  Scheme(SchemeInfo info, Parameters parameters);
+
+ private:
+  /// The author's part: curve and report for an input that passed the checks.
+  [[nodiscard]] virtual Fit solve(const Input& input) const = 0;
+  [[nodiscard]] virtual Fit resolve(const Fit& fit, const Edit& edit) const;
+
+  SchemeInfo info_;
+  Parameters parameters_;
+};
+
+/// Why no scheme with these traits can fit the input, in one line; empty if it can.
+[[nodiscard]] std::string reason_unsupported(const SchemeTraits& traits, const Input& input);
+
+}  // namespace kappabench

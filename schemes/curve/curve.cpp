@@ -1,0 +1,52 @@
+#include "schemes/curve/curve.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace kappabench {
+
+std::string_view name(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::g0:
+      return "G0";
+    case Continuity::g1:
+      return "G1";
+    case Continuity::g1_equal_magnitude:
+      return "G1 |k|";
+    case Continuity::g2:
+      return "G2";
+    case Continuity::c1:
+      return "C1";
+    case Continuity::c2:
+      return "C2";
+  }
+  throw std::logic_error("name(Continuity): not a value of the enumeration");
+}
+
+Curve::Curve(std::vector<SegmentPtr> segments, std::vector<Joint> joints, std::vector<Node> nodes, bool closed)
+    : segments_(std::move(segments)), joints_(std::move(joints)), nodes_(std::move(nodes)), closed_(closed) {
+  if (segments_.empty()) throw std::invalid_argument("Curve: no segments; at least one is needed");
+  const std::size_t expected = closed_ ? segments_.size() : segments_.size() - 1;
+  if (joints_.size() != expected) throw std::invalid_argument("Curve: a joint is needed wherever two segments meet");
+  const auto exists = [this](int segment) { return segment >= 0 && segment < size(); };
+  for (const Joint& joint : joints_)
+    if (!exists(joint.segment)) throw std::invalid_argument("Curve: a joint names a segment that does not exist");
+  for (const Node& node : nodes_)
+    if (!exists(node.segment)) throw std::invalid_argument("Curve: a node names a segment that does not exist");
+}
+
+CurveSamples sample(const Curve& curve, int per_segment, int order) {
+  if (per_segment < 2) throw std::invalid_argument("sample: at least 2 parameters a segment are needed");
+  const auto count = static_cast<std::size_t>(per_segment);
+  CurveSamples samples{.t = std::vector<double>(count), .jets = {}, .order = order};
+  for (std::size_t j = 0; j < count; ++j) samples.t[j] = static_cast<double>(j) / static_cast<double>(count - 1);
+  samples.jets.resize(count * static_cast<std::size_t>(curve.size()));
+  std::span<Jet> rest{samples.jets};
+  for (const SegmentPtr& segment : curve.segments()) {
+    segment->jets(samples.t, order, rest.first(count));
+    rest = rest.subspan(count);
+  }
+  return samples;
+}
+
+}  // namespace kappabench

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "schemes/curve/vec.hpp"
+
+namespace kappabench {
+
+class Segment;
+
+/// The numbers that define a segment, for exact metrics and for output: nothing else is needed to
+/// rebuild it. All are parametrised over t in [0, 1].
+
+/// Bernstein control points, degree + 1 of them, degree 1 to 5.
+struct PolynomialForm {
+  std::vector<Vec2> control_points;
+};
+
+/// Five control points for the quadratic trigonometric basis {u^2, 2uv, 4uw, 2vw, w^2},
+/// u = 1 - sin(pi t / 2), v = sin + cos - 1, w = 1 - cos (Miura 2022, Eqs. (14) to (17)).
+struct TrigonometricForm {
+  std::array<Vec2, 5> control_points;
+};
+
+/// Curvature linear in arc length: kappa(s) = curvature + curvature_rate * s, 0 <= s <= length.
+struct ClothoidForm {
+  Vec2 start;
+  double angle;  ///< direction at s = 0, radians
+  double curvature;
+  double curvature_rate;
+  double length;
+};
+
+/// Curvature a clamped B-spline over arc length, s = length * t: knots without the outermost pair,
+/// as in Yoshida 2022 (number of controls + degree - 1 of them).
+struct IntrinsicForm {
+  Vec2 start;
+  double angle;  ///< direction at t = 0, radians
+  double length;
+  int degree;
+  std::vector<double> knots;
+  std::vector<double> control_curvatures;
+};
+
+/// cos^2(pi t / 2) * from(t) + sin^2(pi t / 2) * to(t) (Yuksel 2020).
+struct BlendForm {
+  std::shared_ptr<const Segment> from;
+  std::shared_ptr<const Segment> to;
+};
+
+/// A segment that can only be evaluated: its metrics are sampled.
+struct OpaqueForm {};
+
+using ExactForm = std::variant<PolynomialForm, TrigonometricForm, ClothoidForm, IntrinsicForm, BlendForm, OpaqueForm>;
+
+}  // namespace kappabench

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "schemes/curve/exact_form.hpp"
+#include "schemes/curve/jet.hpp"
+
+namespace kappabench {
+
+/// One smooth piece of a curve on t in [0, 1]. All that the author of a new kind of segment writes is
+/// `jet` and `exact`; overriding `jets` is worth it where a batch can share work.
+/// Segments are immutable and safe to read from several threads.
+class Segment {
+ public:
+  virtual ~Segment() = default;
+
+  /// Analytic position and first `order` derivatives at `t`, 0 <= order <= max_jet_order.
+  /// t outside [0, 1] extrapolates the same formula; nothing is guaranteed there.
+  [[nodiscard]] virtual Jet jet(double t, int order) const = 0;
+
+  /// `out[i] = jet(t[i], order)` for every i; the spans have equal length. Results agree with `jet`
+  /// to rounding.
+  virtual void jets(std::span<const double> t, int order, std::span<Jet> out) const;
+
+  /// The defining numbers. Those of a segment that has none are `OpaqueForm`.
+  [[nodiscard]] virtual ExactForm exact() const = 0;
+
+ protected:
+  Segment() = default;
+  Segment(const Segment&) = default;
+  Segment& operator=(const Segment&) = default;
+};
+
+using SegmentPtr = std::shared_ptr<const Segment>;
+
+}  // namespace kappabench
