@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "schemes/api/registry.hpp"
+
+namespace kappabench {
+
+/// The verbs of the command line. Each returns an exit status and throws UsageError, DataError or
+/// std::invalid_argument for what the user got wrong.
+
+struct ListArguments {
+  std::string what;  ///< schemes | datasets | metrics | experiments
+  bool json = false;
+};
+int list(const Registry& registry, const ListArguments& arguments);
+
+struct FitArguments {
+  std::string points;
+  std::string scheme;
+  std::string format = "json";
+  std::filesystem::path output{};  ///< empty: standard output
+};
+int fit(const Registry& registry, const FitArguments& arguments);
+
+struct CompareArguments {
+  std::vector<std::string> points;
+  std::vector<std::string> schemes{};
+  std::vector<std::string> metrics{};
+  std::string format = "table";    ///< table | csv | json | latex
+  std::filesystem::path output{};  ///< a folder for the report; empty: only the table
+  int processes = 1;
+};
+int compare(const Registry& registry, const CompareArguments& arguments);
+
+struct RunArguments {
+  std::vector<std::string> plans_or_experiments;
+  std::filesystem::path results{};
+  int processes = 1;
+  bool resume = false;
+  std::string shard{};  ///< "I/N"
+  double timeout = 0.0;
+};
+int run_verb(const Registry& registry, const RunArguments& arguments);
+
+struct ReproduceArguments {
+  std::vector<std::string> experiments{};  ///< empty: all of experiments/plans/all.toml
+  std::filesystem::path folder;
+  int processes = 1;
+};
+int reproduce(const Registry& registry, const ReproduceArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::filesystem::path> shards;
+  std::filesystem::path results;
+};
+int merge_verb(const Registry& registry, const MergeArguments& arguments);
+
+struct ReportArguments {
+  std::filesystem::path results;
+  std::filesystem::path folder;
+};
+int report(const ReportArguments& arguments);
+
+}  // namespace kappabench
