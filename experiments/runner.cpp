@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "experiments/experiment.hpp"
-#include "experiments/progress.hpp"
+#include "experiments/progress_bar.hpp"
 #include "experiments/provenance.hpp"
 #include "experiments/workers.hpp"
 #include "reports/store/hdf5_store.hpp"
@@ -114,9 +114,10 @@ RunSummary run(const Registry& registry, const Plan& plan, const RunOptions& opt
   const fs::path folder = prepare_folder(options);
   reuse_cells(options, jobs, folder);
 
-  Progress progress("computing", static_cast<int>(jobs.size()));
+  const ProgressBar bar("computing");
+  std::size_t done = 0;
   compute_cells(jobs, {.processes = options.processes, .timeout = options.timeout, .folder = folder},
-                [&progress](const CellJob& job) { progress.step(job.dataset + " " + job.label); });
+                [&](const CellJob& job) { bar.show(++done, jobs.size(), job.dataset + " " + job.label); });
 
   Cells cells;
   RunSummary summary;

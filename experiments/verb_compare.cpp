@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/compare.hpp"
+#include "experiments/draw_report.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/scratch_folder.hpp"
 #include "experiments/verbs.hpp"
-#include "reports/report.hpp"
 #include "reports/tables.hpp"
 
 namespace kappabench {
@@ -68,7 +68,7 @@ int compare(const Registry& registry, const CompareArguments& arguments) {
   const store::ExperimentRecord& experiment = summary.results.experiments.front();
   const auto table = std::ranges::find(experiment.tables, compare_table_id, &store::TableRecord::id);
   fmt::print("{}", formatted(*table, arguments.format));
-  if (keep) write_report(summary.results, arguments.output, [](std::string_view) {});
+  if (keep) draw_report(summary.results, arguments.output);
   return summary.lost == 0 ? success : ran_and_failed;
 }
 

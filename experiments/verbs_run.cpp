@@ -5,13 +5,12 @@
 #include <filesystem>
 #include <iterator>
 
+#include "experiments/draw_report.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/experiment.hpp"
 #include "experiments/plan.hpp"
-#include "experiments/progress.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/verbs.hpp"
-#include "reports/report.hpp"
 #include "reports/store/hdf5_store.hpp"
 
 namespace kappabench {
@@ -57,13 +56,6 @@ int status_of(const RunSummary& summary, const fs::path& results) {
   fmt::print(stderr, "kappabench: {}: {} cells crashed, timed out or failed; the report lists them\n", results.string(),
              summary.lost);
   return ran_and_failed;
-}
-
-void draw_report(const store::Results& results, const fs::path& folder) {
-  int figures = 0;
-  for (const auto& experiment : results.experiments) figures += static_cast<int>(experiment.figures.size());
-  Progress progress("drawing", figures);
-  write_report(results, folder, [&progress](std::string_view figure) { progress.step(figure); });
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kappabench {
+
+/// A bar on stderr, drawn only when stderr is a terminal and gone when the work is; silent otherwise.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string what);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// `done` of `total` are done; `last` names what was done last.
+  void show(std::size_t done, std::size_t total, std::string_view last) const;
+
+ private:
+  std::string what_;
+  bool terminal_;
+};
+
+}  // namespace kappabench

@@ -1,0 +1,154 @@
+// What every scheme must do, whatever it is: run over all schemes and all built-in drawings, so that a new scheme is
+// checked without a line of test code.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "datasets/datasets.hpp"
+#include "datasets/random_points.hpp"
+#include "schemes/api/registry.hpp"
+#include "tests/catch.hpp"
+
+using namespace kappabench;
+
+namespace {
+
+Registry all_schemes() {
+  Registry registry;
+  register_all(registry);
+  return registry;
+}
+
+/// Calls `check` for every scheme at its defaults and every curve of the built-in drawings that it can take.
+template <class Check>
+void for_all_fits(Check check) {
+  const Registry registry = all_schemes();
+  const std::vector<Drawing> drawings = builtin_drawings();
+  REQUIRE(drawings.size() >= 12);
+  for (const SchemeInfo& info : registry.list()) {
+    const SchemePtr scheme = registry.create(info.id);
+    for (const Drawing& drawing : drawings)
+      for (std::size_t i = 0; i < drawing.curves.size(); ++i) {
+        INFO(info.id << " on " << drawing.id << ", curve " << i);
+        check(*scheme, scheme->fit(drawing.curves[i]));
+      }
+  }
+}
+
+bool same_curves(const Curve& a, const Curve& b) {
+  if (a.size() != b.size()) return false;
+  for (int k = 0; k < a.size(); ++k)
+    for (const double t : {0.0, 0.3, 1.0})
+      if (a.segment(k).jet(t, 0).position() != b.segment(k).jet(t, 0).position()) return false;
+  return true;
+}
+
+/// Largest distance between corresponding points of two curves that have the same segments.
+double distance(const Curve& a, const Curve& b) {
+  double largest = 0.0;
+  for (int k = 0; k < a.size(); ++k)
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+      largest = std::max(largest, (a.segment(k).jet(t, 0).position() - b.segment(k).jet(t, 0).position()).norm());
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a fit either has a curve that is finite everywhere, or says why there is none") {
+  for_all_fits([](const Scheme&, const Fit& fit) {
+    if (fit.report.outcome == Outcome::converged) REQUIRE(fit.curve.has_value());
+    if (fit.report.outcome != Outcome::converged) CHECK_FALSE(fit.report.message.empty());
+    CHECK(fit.report.message.find('\n') == std::string::npos);
+    if (!fit.curve) return;
+    for (const Jet& jet : sample(*fit.curve, 9, max_jet_order).jets)
+      for (const Vec2& d : jet.d) REQUIRE(d.allFinite());
+  });
+}
+
+TEST_CASE("a converged curve passes through every point, at a node, to 1e-10 chords") {
+  for_all_fits([](const Scheme&, const Fit& fit) {
+    if (fit.report.outcome != Outcome::converged) return;
+    const double chord = mean_chord(fit.input);
+    std::vector<bool> reached(fit.input.points.size(), false);
+    for (const Node& node : fit.curve->nodes()) {
+      const auto point = static_cast<std::size_t>(node.point);
+      const Vec2 at = fit.curve->segment(node.segment).jet(node.t, 0).position();
+      CHECK((at - fit.input.points[point]).norm() <= 1e-10 * chord);
+      reached[point] = true;
+    }
+    CHECK(std::ranges::all_of(reached, [](bool r) { return r; }));
+  });
+}
+
+TEST_CASE("segments of a curve follow one another without a gap, with the tangents that their joints claim") {
+  for_all_fits([](const Scheme&, const Fit& fit) {
+    if (fit.report.outcome != Outcome::converged) return;
+    const Curve& curve = *fit.curve;
+    const double chord = mean_chord(fit.input);
+    CHECK(curve.closed() == fit.input.closed);
+    for (const Joint& joint : curve.joints()) {
+      const Jet before = curve.segment(joint.segment).jet(1.0, 2);
+      const Jet after = curve.segment(curve.next(joint.segment)).jet(0.0, 2);
+      CHECK((before.position() - after.position()).norm() <= 1e-10 * chord);
+      if (joint.claimed == Continuity::g0) continue;
+      const double turn = std::atan2(cross(before.d[1], after.d[1]), before.d[1].dot(after.d[1]));
+      CHECK(std::abs(turn) <= 1e-7);
+    }
+  });
+}
+
+TEST_CASE("the same input gives the same curve, bit for bit") {
+  const Registry registry = all_schemes();
+  for (const SchemeInfo& info : registry.list())
+    for (const RandomKind kind : random_kinds()) {
+      INFO(info.id << " on " << name(kind));
+      const SchemePtr scheme = registry.create(info.id);
+      const Input input = random_input(kind, 17, 5, true);
+      const Fit first = scheme->fit(input), second = scheme->fit(input);
+      REQUIRE(first.curve.has_value() == second.curve.has_value());
+      CHECK(first.report.iterations == second.report.iterations);
+      if (first.curve) CHECK(same_curves(*first.curve, *second.curve));
+    }
+}
+
+TEST_CASE("a similar drawing gives the similar curve, where the scheme claims so") {
+  const Registry registry = all_schemes();
+  const double angle = 0.7, scale = 1e3;
+  const Eigen::Matrix2d turn{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
+  for (const SchemeInfo& info : registry.list()) {
+    if (!info.traits.similarity_invariant) continue;
+    const SchemePtr scheme = registry.create(info.id);
+    for (const bool closed : {false, true}) {
+      INFO(info.id << (closed ? ", closed" : ", open"));
+      const Input input = random_input(RandomKind::star, 12, 3, closed);
+      Input moved = input;
+      for (Vec2& p : moved.points) p = scale * (turn * p) + Vec2(40.0, -7.0);
+      const Fit original = scheme->fit(input), similar = scheme->fit(moved);
+      REQUIRE(original.report.outcome == Outcome::converged);
+      REQUIRE(similar.report.outcome == Outcome::converged);
+      REQUIRE(original.curve->size() == similar.curve->size());
+      for (int k = 0; k < original.curve->size(); ++k)
+        for (const double t : {0.0, 0.4, 1.0}) {
+          const Vec2 expected = scale * (turn * original.curve->segment(k).jet(t, 0).position()) + Vec2(40.0, -7.0);
+          CHECK((similar.curve->segment(k).jet(t, 0).position() - expected).norm() <= 1e-9 * scale);
+        }
+    }
+  }
+}
+
+TEST_CASE("a refit is the fit of the edited input") {
+  const Registry registry = all_schemes();
+  const Input input = random_input(RandomKind::star, 10, 9, true);
+  for (const SchemeInfo& info : registry.list()) {
+    INFO(info.id);
+    const SchemePtr scheme = registry.create(info.id);
+    const Fit before = scheme->fit(input);
+    for (const Edit& edit :
+         {Edit{Move{.point = 3, .to = input.points[3] + Vec2(0.05, 0.02)}},
+          Edit{Insert{.before = 1, .at = 0.5 * (input.points[0] + input.points[1])}}, Edit{Erase{.point = 7}}}) {
+      const Fit warm = scheme->refit(before, edit), cold = scheme->fit(apply(input, edit));
+      REQUIRE(warm.report.outcome == cold.report.outcome);
+      if (warm.curve && warm.curve->size() == cold.curve->size()) CHECK(distance(*warm.curve, *cold.curve) <= 1e-9);
+    }
+  }
+}

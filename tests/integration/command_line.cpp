@@ -1,0 +1,183 @@
+// The program as scripts call it: exit status, one line on stderr, formats.
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "experiments/scratch_folder.hpp"
+#include "schemes/curve/vec.hpp"
+#include "tests/catch.hpp"
+
+using kappabench::ScratchFolder;
+using kappabench::Vec2;
+using nlohmann::json;
+
+namespace {
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Ran {
+  int status;
+  std::string out, err;
+};
+
+/// Runs `kappabench <arguments>` in `folder` through the shell.
+Ran run(const ScratchFolder& folder, const std::string& arguments) {
+  const auto out = folder.path() / "stdout", err = folder.path() / "stderr";
+  const std::string command = "cd '" + folder.path().string() + "' && '" KAPPABENCH_PROGRAM "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), contents(out), contents(err)};
+}
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+/// Exit status 2 and a single line on stderr that holds `what`.
+void refused(const Ran& ran, const std::string& what) {
+  CHECK(ran.status == 2);
+  CHECK_THAT(ran.err, ContainsSubstring(what));
+  CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+}
+
+const std::string five = "closed\n0 0\n4 -1\n5 3\n2 5\n-1 3\n";
+
+Vec2 point(const json& p) { return {p[0].get<double>(), p[1].get<double>()}; }
+
+}  // namespace
+
+TEST_CASE("fit prints the curve as kappabench-curve JSON that rebuilds it") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  const Ran ran = run(folder, "fit five.txt --scheme ekappa:a=0.8");
+  REQUIRE(ran.status == 0);
+  CHECK(ran.err.empty());
+  const json curve = json::parse(ran.out);
+  CHECK(curve["format"] == "kappabench-curve");
+  CHECK(curve["version"] == 1);
+  CHECK(curve["scheme"] == "ekappa");
+  CHECK(curve["parameters"]["a"] == 0.8);
+  CHECK(curve["closed"] == true);
+  CHECK(curve["outcome"] == "converged");
+  CHECK(curve["residual"].get<double>() <= 1e-12);
+  REQUIRE(curve["segments"].size() == 5);
+  REQUIRE(curve["nodes"].size() == 5);
+  REQUIRE(curve["joints"].size() == 5);
+  // The control points alone give the input point at the node: Bernstein's cubic by hand.
+  const json& node = curve["nodes"][1];
+  const json& c = curve["segments"][node["segment"].get<std::size_t>()]["control_points"];
+  REQUIRE(c.size() == 4);
+  const double t = node["t"].get<double>(), u = 1.0 - t;
+  const Vec2 at =
+      u * u * u * point(c[0]) + 3 * u * u * t * point(c[1]) + 3 * u * t * t * point(c[2]) + t * t * t * point(c[3]);
+  CHECK((at - Vec2(4, -1)).norm() < 1e-12);
+  CHECK_THAT(ran.out, ContainsSubstring("0.80000000000000004"));
+}
+
+TEST_CASE("a drawing of several curves is a JSON array, and '-' is standard input") {
+  const ScratchFolder folder;
+  write(folder.path() / "two.txt", five + "\nopen\n0 0\n1 1\n2 0\n");
+  CHECK(json::parse(run(folder, "fit - --scheme kappa < two.txt").out).size() == 2);
+}
+
+TEST_CASE("fit writes csv, svg and xy") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  CHECK(run(folder, "fit five.txt --scheme kappa --format csv").out.starts_with("curve,segment,t,x,y,s,kappa\n"));
+  CHECK_THAT(run(folder, "fit five.txt --scheme kappa --format svg").out, ContainsSubstring("</svg>"));
+  CHECK_THAT(run(folder, "fit five.txt --scheme ekappa-trig --format xy").out, ContainsSubstring("# converged"));
+  CHECK(run(folder, "fit five.txt --scheme kappa --format svg -o five.svg").out.empty());
+  CHECK_THAT(contents(folder.path() / "five.svg"), ContainsSubstring("<path d=\"M "));
+}
+
+TEST_CASE("wrong arguments and bad input are one line and exit status 2") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  write(folder.path() / "nan.txt", "closed\n0 0\n1 nan\n2 0\n");
+  write(folder.path() / "inf.txt", "0 0\n1 inf\n2 0\n");
+  write(folder.path() / "one.txt", "0 0\n");
+  write(folder.path() / "two.txt", "0 0\n1 1\n");
+  write(folder.path() / "twins.txt", "0 0\n1 1\n1 1\n2 0\n");
+  write(folder.path() / "key.txt", "0 0 b=3\n1 1\n2 0\n");
+  write(folder.path() / "sharp.txt", "0 0\n1 1 a=1.5\n2 0\n");
+  write(folder.path() / "rubbish.txt", std::string("\x7f"
+                                                   "ELF\0\1\2\xff\xfe",
+                                                   9));
+  write(folder.path() / "empty.txt", "");
+  refused(run(folder, ""), "subcommand");
+  refused(run(folder, "draw five.txt"), "draw");
+  refused(run(folder, "fit five.txt"), "--scheme");
+  refused(run(folder, "fit five.txt --scheme lambda"), "unknown scheme 'lambda'; known are");
+  refused(run(folder, "fit five.txt --scheme kappa:b=1"), "unknown parameter 'b'");
+  refused(run(folder, "fit five.txt --scheme ekappa:a=1"), "a=1: allowed is a number in [0.6667, 1)");
+  refused(run(folder, "fit five.txt --scheme kappa --format png"), "png");
+  refused(run(folder, "fit nowhere.txt --scheme kappa"), "nowhere.txt");
+  refused(run(folder, "fit nan.txt --scheme kappa"), "nan.txt:3");
+  refused(run(folder, "fit inf.txt --scheme kappa"), "inf.txt:2");
+  refused(run(folder, "fit one.txt --scheme kappa"), "one.txt");
+  refused(run(folder, "fit two.txt --scheme kappa"), "two.txt");
+  refused(run(folder, "fit twins.txt --scheme kappa"), "points 1 and 2 coincide");
+  refused(run(folder, "fit key.txt --scheme kappa"), "key.txt:1");
+  refused(run(folder, "fit sharp.txt --scheme ekappa"), "a=1.5");
+  refused(run(folder, "fit rubbish.txt --scheme kappa"), "rubbish.txt");
+  refused(run(folder, "fit empty.txt --scheme kappa"), "empty.txt");
+  refused(run(folder, "fit five.txt --scheme kappa -o nowhere/five.json"), "nowhere/five.json");
+  refused(run(folder, "fit five.txt --scheme kappa > /dev/full"), "standard output");
+  refused(run(folder, "run nonsense"), "unknown experiment 'nonsense'; known are");
+  refused(run(folder, "report five.txt -o report"), "five.txt");
+  refused(run(folder, "compare five.txt --metrics beauty"), "unknown metric 'beauty'");
+  refused(run(folder, "list things"), "things");
+}
+
+TEST_CASE("what was there before is kept when a fit fails") {
+  const ScratchFolder folder;
+  write(folder.path() / "two.txt", "0 0\n1 1\n");
+  write(folder.path() / "out.json", "precious");
+  CHECK(run(folder, "fit two.txt --scheme kappa -o out.json").status == 2);
+  CHECK(contents(folder.path() / "out.json") == "precious");
+}
+
+TEST_CASE("a fit that did not converge prints its curve, marked, with exit status 3") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  const Ran ran = run(folder, "fit five.txt --scheme kappa:iteration=published,max_iterations=1");
+  CHECK(ran.status == 3);
+  CHECK_THAT(ran.err, ContainsSubstring("not_converged"));
+  const json curve = json::parse(ran.out);
+  CHECK(curve["outcome"] == "not_converged");
+  CHECK(curve["segments"].size() == 5);
+}
+
+TEST_CASE("list names schemes, datasets, metrics and experiments") {
+  const ScratchFolder folder;
+  for (const std::string what : {"schemes", "datasets", "metrics", "experiments"}) {
+    CHECK(run(folder, "list " + what).status == 0);
+    const json items = json::parse(run(folder, "list " + what + " --json").out);
+    CHECK(items.size() >= 1);
+    CHECK(items[0].contains("id"));
+  }
+}
+
+TEST_CASE("compare prints a table in every format, and keeps a report where asked") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  const std::string what = "compare five.txt --schemes kappa,ekappa:a=0.8,iteration=newton,catmull-rom ";
+  const json rows = json::parse(run(folder, what + "--format json").out);
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0]["scheme"] == "kappa");
+  CHECK(rows[1]["scheme"] == "ekappa a=0.8");
+  CHECK(rows[2]["outcome"] == "converged");
+  CHECK(run(folder, what + "--format csv").out.starts_with("dataset,curve,scheme"));
+  CHECK_THAT(run(folder, what + "--format latex").out, ContainsSubstring("\\begin{tabular}"));
+  CHECK_THAT(run(folder, what).out, ContainsSubstring("catmull-rom"));
+  CHECK(run(folder, what + "-o report").status == 0);
+  CHECK(std::filesystem::exists(folder.path() / "report" / "index.html"));
+  CHECK(std::filesystem::exists(folder.path() / "report" / "results.h5"));
+}
