@@ -21,7 +21,9 @@ class DataError : public std::runtime_error {
 [[nodiscard]] Drawing read_drawing(const std::filesystem::path& file);
 
 /// Everything that a POINTS argument of the command line may name: the id of a built-in drawing, a file, a
-/// folder of files, "-", "glyph:FONT:CHAR", "random:KIND:n=..,seed=..". Throws DataError.
+/// folder of files, "-", "glyph:FONT:CHAR", "random:KIND:n=..,seed=..", "analytic:KIND:n=..,sampling=..". A built-in id
+/// wins over a file of the same name ("./bird" is the file); of a folder every .txt, .pts, .csv and .toml is read,
+/// sorted by name. Throws DataError.
 [[nodiscard]] std::vector<Drawing> open_drawings(std::string_view name);
 
 /// The built-in drawings, sorted by id.
