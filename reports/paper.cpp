@@ -1,0 +1,136 @@
+#include "reports/paper.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+#include <string_view>
+
+namespace kappabench {
+namespace {
+
+using Keys = std::initializer_list<std::string_view>;
+
+/// One file while it is read; knows how to complain.
+class PaperFile {
+ public:
+  explicit PaperFile(std::string name) : name_(std::move(name)) {}
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& what) const {
+    throw PaperError(fmt::format("{}:{}: {}", name_, node.source().begin.line, what));
+  }
+
+  void only(const toml::table& table, Keys known) const {
+    for (const auto& [key, node] : table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      refuse(node, fmt::format("unknown key '{}' (known: {})", key.str(), fmt::join(known, ", ")));
+    }
+  }
+
+  std::string word(const toml::table& table, std::string_view key, bool required = true) const {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) {
+      if (required) refuse(table, fmt::format("'{}' is missing", key));
+      return "";
+    }
+    const auto text = node->value_exact<std::string>();
+    if (!text || (required && text->empty())) refuse(*node, fmt::format("'{}' must be a text", key));
+    return *text;
+  }
+
+  std::vector<std::string> words(const toml::node* node, const toml::table& parent, std::string_view key) const {
+    const toml::array* array = node == nullptr ? nullptr : node->as_array();
+    if (array == nullptr) refuse(node == nullptr ? parent : *node, fmt::format("'{}' must be a list of texts", key));
+    std::vector<std::string> result;
+    for (const auto& item : *array) {
+      const auto text = item.value_exact<std::string>();
+      if (!text) refuse(item, fmt::format("'{}' holds texts only, so that the printed digits stay: quote it", key));
+      result.push_back(*text);
+    }
+    return result;
+  }
+
+  /// The tables under [[key]].
+  std::vector<const toml::table*> tables(const toml::table& root, std::string_view key) const {
+    std::vector<const toml::table*> result;
+    const toml::node* node = root.get(key);
+    if (node == nullptr) return result;
+    const toml::array* array = node->as_array();
+    if (array == nullptr) refuse(*node, fmt::format("write [[{}]]", key));
+    for (const auto& item : *array) {
+      if (!item.is_table()) refuse(item, fmt::format("write [[{}]]", key));
+      result.push_back(item.as_table());
+    }
+    return result;
+  }
+
+ private:
+  std::string name_;
+};
+
+PrintedTable read_printed_table(const PaperFile& file, const toml::table& entry) {
+  file.only(entry, {"id", "place", "title", "columns", "rows"});
+  PrintedTable table{file.word(entry, "id"),
+                     file.word(entry, "place"),
+                     file.word(entry, "title"),
+                     file.words(entry.get("columns"), entry, "columns"),
+                     {}};
+  const toml::node* rows = entry.get("rows");
+  if (rows == nullptr || !rows->is_array()) file.refuse(entry, "'rows' must be a list of lists");
+  for (const auto& row : *rows->as_array()) {
+    table.rows.push_back(file.words(&row, entry, "rows"));
+    if (table.rows.back().size() != table.columns.size()) {
+      file.refuse(row, fmt::format("{} entries for {} columns", table.rows.back().size(), table.columns.size()));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Paper read_paper(const std::filesystem::path& path) {
+  toml::table root;
+  try {
+    root = toml::parse_file(path.string());
+  } catch (const toml::parse_error& error) {
+    throw PaperError(fmt::format("{}:{}: {}", path.string(), error.source().begin.line, error.description()));
+  }
+  const PaperFile file(path.string());
+  file.only(root, {"paper", "claim", "table"});
+  const toml::table* head = root["paper"].as_table();
+  if (head == nullptr) file.refuse(root, "[paper] is missing");
+  file.only(*head, {"title", "citation"});
+  Paper paper{path.stem().string(), file.word(*head, "title"), file.word(*head, "citation"), {}, {}};
+  std::set<std::string> ids;
+  for (const auto* entry : file.tables(root, "claim")) {
+    file.only(*entry, {"id", "place", "text", "printed"});
+    paper.claims.push_back({file.word(*entry, "id"), file.word(*entry, "place"), file.word(*entry, "text"),
+                            file.word(*entry, "printed", false)});
+    if (!ids.insert(paper.claims.back().id).second) file.refuse(*entry, "id used twice: " + paper.claims.back().id);
+  }
+  for (const auto* entry : file.tables(root, "table")) {
+    paper.tables.push_back(read_printed_table(file, *entry));
+    if (!ids.insert(paper.tables.back().id).second) file.refuse(*entry, "id used twice: " + paper.tables.back().id);
+  }
+  return paper;
+}
+
+std::vector<Paper> read_papers(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  if (error) throw PaperError(fmt::format("{}: {}", folder.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  std::vector<Paper> papers;
+  for (const auto& file : files) papers.push_back(read_paper(file));
+  return papers;
+}
+
+std::filesystem::path papers_folder() { return KAPPABENCH_PAPERS_FOLDER; }
+
+}  // namespace kappabench
