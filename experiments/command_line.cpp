@@ -116,6 +116,15 @@ struct CommandLine {
   }
 };
 
+/// CLI11 would only say that a verb is missing.
+void require_known_verb(const CLI::App& app, std::string_view word) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  if (!word.starts_with('-') && std::ranges::find(verbs, word) == verbs.end())
+    throw UsageError(fmt::format("unknown verb '{}'; known are {}", word, fmt::join(verbs, ", ")));
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -123,6 +132,7 @@ int run_command_line(int argc, char** argv) {
     Registry registry;
     register_all(registry);
     CommandLine command(registry);
+    if (argc > 1) require_known_verb(command.app, argv[1]);
     try {
       command.app.parse(argc, argv);
       return command.status;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -130,28 +131,61 @@ store::TableRecord scheme_table(const store::ExperimentRecord& record) {
   return builder.table();
 }
 
-/// For each drawing, a panel a scheme with combs, and a figure of their curvature.
-std::vector<store::FigureRecord> figures(const store::ExperimentRecord& record) {
+/// Drawings shown when nobody chose any: of each kind one. The tables have all.
+constexpr std::array<std::string_view, 14> shown_by_default{
+    "bird",     "christmas-tree", "circle-uneven", "clothoid-even", "collinear-run", "five-blob", "leaf",
+    "letter-r", "near-collinear", "s-curve",       "s-inflections", "spiral",        "star",      "very-uneven"};
+
+/// For each drawing, a panel a scheme with combs.
+std::vector<store::FigureRecord> figures(const Context& context, const store::ExperimentRecord& record) {
   std::vector<store::FigureRecord> figures;
   for (std::size_t i = 0; i < record.cells.size();) {
     const std::string& dataset = record.cells[i].dataset;
     store::FigureRecord figure{.id = "compare-" + dataset, .title = dataset, .caption = {}};
-    figure.caption = fmt::format(
-        "{}: each scheme with its curvature comb, to one scale a panel. Squares: input points; small circles: joints.",
-        dataset);
+    figure.caption =
+        "Each scheme with its curvature comb, all panels to one scale. Squares: input points; small circles: joints.";
     for (; i < record.cells.size() && record.cells[i].dataset == dataset; ++i) {
       store::PanelRecord panel{.kind = "curve", .title = record.cells[i].label, .cells = {static_cast<int>(i)}};
       panel.comb = true;
       figure.panels.push_back(std::move(panel));
     }
-    figures.push_back(std::move(figure));
+    const bool shown =
+        !context.datasets.empty() || std::ranges::find(shown_by_default, dataset) != shown_by_default.end();
+    if (shown) figures.push_back(std::move(figure));
   }
   return figures;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
+/// One curve, and for convergence one that iterates.
+bool drawable(const store::CellRecord& cell, std::string_view kind) {
+  return cell.curves.size() == 1 && (kind != "convergence" || !cell.curves.front().trace.empty());
+}
+
+/// Curvature against arc length, and residual against iteration: all schemes over one another, a panel a drawing, for
+/// the first few drawings of a single curve.
+store::FigureRecord overlay(const store::ExperimentRecord& record, std::string kind, std::string title,
+                            std::string caption) {
+  constexpr std::size_t most_panels = 6;
+  store::FigureRecord figure{.id = "compare-all-" + kind, .title = std::move(title), .caption = std::move(caption)};
+  for (std::size_t i = 0; i < record.cells.size() && figure.panels.size() < most_panels;) {
+    const std::string& dataset = record.cells[i].dataset;
+    store::PanelRecord panel{.kind = kind, .title = dataset};
+    for (; i < record.cells.size() && record.cells[i].dataset == dataset; ++i)
+      if (drawable(record.cells[i], kind)) panel.cells.push_back(static_cast<int>(i));
+    const bool known = std::ranges::find(shown_by_default, dataset) != shown_by_default.end();
+    if (panel.cells.size() > 1 && (known || record.cells.size() < 100)) figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+void conclude(const Context& context, store::ExperimentRecord& record) {
   record.tables = {scheme_table(record), curve_table(record)};
-  record.figures = figures(record);
+  record.figures = figures(context, record);
+  for (store::FigureRecord& figure :
+       std::vector{overlay(record, "curvature", "Curvature", "Curvature against arc length, nodes marked."),
+                   overlay(record, "convergence", "Convergence",
+                           "Residual of each scheme's own equations, scale-free, before and after each iteration.")})
+    if (!figure.panels.empty()) record.figures.push_back(std::move(figure));
 }
 
 }  // namespace
@@ -167,7 +201,8 @@ std::vector<const Metric*> metrics_of(const Context& context) {
   std::vector<const Metric*> metrics;
   for (const std::string& id : context.metrics) metrics.push_back(&find_metric(id));
   if (metrics.empty())
-    for (const Metric& metric : all_metrics()) metrics.push_back(&metric);
+    for (const Metric& metric : all_metrics())
+      if (!metric.refits) metrics.push_back(&metric);
   return metrics;
 }
 

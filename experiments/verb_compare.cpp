@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,24 @@ std::string table_json(const store::TableRecord& table) {
   return rows.dump(2) + "\n";
 }
 
+/// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.
+store::TableRecord narrow(store::TableRecord table) {
+  constexpr std::array<std::string_view, 10> headline{"dataset",
+                                                      "curve",
+                                                      "scheme",
+                                                      "outcome",
+                                                      "iterations",
+                                                      "residual",
+                                                      "pinned",
+                                                      "parabola_energy_centred_scaled_mean",
+                                                      "curvature_extrema",
+                                                      "continuity_curvature_jump_all"};
+  std::erase_if(table.columns, [&](const store::TableColumn& column) {
+    return std::ranges::find(headline, column.name) == headline.end();
+  });
+  return table;
+}
+
 std::string formatted(const store::TableRecord& table, const std::string& format) {
   if (format == "csv") return to_csv(table);
   if (format == "json") return table_json(table);
@@ -67,7 +86,8 @@ int compare(const Registry& registry, const CompareArguments& arguments) {
 
   const store::ExperimentRecord& experiment = summary.results.experiments.front();
   const auto table = std::ranges::find(experiment.tables, compare_table_id, &store::TableRecord::id);
-  fmt::print("{}", formatted(*table, arguments.format));
+  const bool page = arguments.format == "table" || arguments.format == "latex";
+  fmt::print("{}", formatted(page && arguments.metrics.empty() ? narrow(*table) : *table, arguments.format));
   if (keep) draw_report(summary.results, arguments.output);
   return summary.lost == 0 ? success : ran_and_failed;
 }

@@ -25,7 +25,7 @@ const Plan small_plan{.seed = 1,
                       .experiments = {{.id = "compare",
                                        .schemes = {"kappa", "ekappa:a=0.8", "cubic-spline"},
                                        .datasets = {"bird", "star"},
-                                       .metrics = {"monotone-intervals"}}}};
+                                       .metrics = {"monotone_intervals"}}}};
 
 CellJob job(std::string key, std::function<store::CellRecord()> compute) {
   return {.dataset = "d",
