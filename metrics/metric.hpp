@@ -38,6 +38,7 @@ struct Metric {
   int version;  ///< raise when values change: cells of older versions are recomputed
   std::vector<Column> columns;
   std::function<std::vector<Measurement>(const Scheme&, const Fit&)> measure;
+  bool refits = false;  ///< fits again through the Scheme, many times: asked for by name, not taken by default
 };
 
 /// All metrics, in the order of metrics/README.md.

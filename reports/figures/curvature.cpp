@@ -87,7 +87,11 @@ Panel draw_curvature(const store::PanelRecord& panel, const Context& context, Da
   const Interval all = extent(curvatures).value_or(Interval{-1.0, 1.0});
   drawn.range.y =
       padded({std::min(0.0, std::max(all.from, -limit.limit)), std::max(0.0, std::min(all.to, limit.limit))}, 0.08);
-  if (limit.clips()) remark(drawn, fmt::format("off the scale: |κ| reaches {:.3g}", limit.largest));
+  if (panel.window.size() == 4) {
+    drawn.range = {{panel.window[0], panel.window[1]}, {panel.window[2], panel.window[3]}};
+  } else if (limit.clips()) {
+    remark(drawn, fmt::format("off the scale: |κ| reaches {:.3g}", limit.largest));
+  }
   drawn.setup = {"set xlabel 'arc length / total length'", "set ylabel 'curvature κ'",
                  "set xzeroaxis lw 1 lc rgb '#B0B0B0'"};
   // A band under the graphs for the ticks of all cells, one row each.

@@ -198,6 +198,19 @@ Box with_comb(Box frame, const std::vector<const CurveRecord*>& curves, const Co
   return {united(frame.x, extent(xs)), united(frame.y, extent(ys))};
 }
 
+/// Frames around what other panels of the figure show of the same cells in close-up.
+void draw_frames(const PanelRecord& panel, const Context& context, Panel& drawn, DataFile& data) {
+  Rows rows;
+  for (const auto& other : context.figure.panels) {
+    if (other.kind != "curve" || other.window.size() != 4 || other.cells != panel.cells) continue;
+    const auto& w = other.window;
+    rows.gap();
+    rows.add({w[0], w[2]}), rows.add({w[1], w[2]}), rows.add({w[1], w[3]}), rows.add({w[0], w[3]});
+    rows.add({w[0], w[2]});
+  }
+  plot(drawn, data, "frames of close-ups: x y", rows, fmt::format("with lines lw 0.8 lc rgb '{}'", grey));
+}
+
 void check_window(const PanelRecord& panel, const Context& context) {
   const auto& w = panel.window;
   if (w.empty() || (w.size() == 4 && w[0] < w[1] && w[2] < w[3])) return;
@@ -238,6 +251,7 @@ Panel draw_plane(const PanelRecord& panel, const Context& context, DataFile& dat
   for (std::size_t i = 0; i < cells.size(); ++i) draw_curves(curves_of(panel, *cells[i]), lines[i], drawn, data);
   for (const auto& mark : marks_of(panel, cells)) draw_mark(mark, context, drawn, data);
   if (panel.window.empty()) {
+    draw_frames(panel, context, drawn, data);
     const double margin = 0.04 * std::max(size_of(drawn.range), 1e-300);
     drawn.range.x = {drawn.range.x.from - margin, drawn.range.x.to + margin};
     drawn.range.y = {drawn.range.y.from - margin, drawn.range.y.to + margin};

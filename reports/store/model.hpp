@@ -91,7 +91,7 @@ struct PanelRecord {
   bool points = true;
   bool joints = true;
   double comb_scale = 0.0;     ///< length of the longest tooth over the drawing's size; 0: chosen by the renderer
-  std::vector<double> window;  ///< xmin, xmax, ymin, ymax for a close-up; empty: everything
+  std::vector<double> window;  ///< xmin, xmax, ymin, ymax for a close-up (also of "curvature"); empty: everything
   // "graph" options
   std::string table;
   std::string x;

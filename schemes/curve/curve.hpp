@@ -31,6 +31,8 @@ struct Node {
   /// The kappa family: the point is at an inflection, its own segment has shrunk to nothing and the node
   /// is the joint of its neighbours.
   bool at_inflection = false;
+  /// The trigonometric epsilon-kappa-curve: |kappa| is stationary at the point, but a minimum there.
+  bool curvature_minimum = false;
 };
 
 /// An immutable planar curve: segments in order, the joints between them, and the nodes where it passes

@@ -9,10 +9,15 @@ using namespace kappabench;
 namespace {
 
 /// (q t - p s-part): the linear form with its root at t = p / q, i.e. q t - p (s + t).
-BinaryForm<Integer> linear(int p, int q) { return {Integer(-p), Integer(q - p)}; }
+BinaryForm<Integer> linear(int p, int q) {
+  BinaryForm<Integer> form;
+  form.emplace_back(-p);
+  form.emplace_back(q - p);
+  return form;
+}
 
 BinaryForm<Integer> power(const BinaryForm<Integer>& form, int k) {
-  BinaryForm<Integer> result{Integer(1)};
+  BinaryForm<Integer> result(1, Integer(1));
   for (int i = 0; i < k; ++i) result = product(result, form);
   return result;
 }
@@ -55,15 +60,16 @@ TEST_CASE("a root at a bisection point is found exactly", "[roots]") {
 TEST_CASE("the zero and the constant polynomial have no sign changes", "[roots]") {
   CHECK(isolate_sign_changes(BinaryForm<Integer>{}).empty());
   CHECK(isolate_sign_changes(BinaryForm<Integer>(5, Integer(0))).empty());
-  CHECK(isolate_sign_changes(BinaryForm<Integer>{Integer(7)}).empty());
+  CHECK(isolate_sign_changes(BinaryForm<Integer>(1, Integer(7))).empty());
   CHECK_FALSE(isolate_sign_changes(BinaryForm<Bounded>(5, Bounded(0.0))).has_value());
 }
 
 TEST_CASE("two roots closer than a double can tell are still separated exactly", "[roots]") {
   // Roots at 1/3 and 1/3 + 1e-9 / 3.
-  const BinaryForm<Integer> first{Integer(-1), Integer(2)};
-  const BinaryForm<Integer> second{Integer(-1000000001), Integer(2999999999LL - 1000000000LL)};
-  const auto roots = isolate_sign_changes(product(first, second));
+  BinaryForm<Integer> second;
+  second.emplace_back(-1000000001);
+  second.emplace_back(3000000000LL - 1000000001LL);
+  const auto roots = isolate_sign_changes(product(linear(1, 3), second));
   REQUIRE(roots.size() == 2);
   CHECK(roots[1].mid() - roots[0].mid() == Approx(1e-9 / 3.0).epsilon(1e-5));
 }

@@ -1,0 +1,132 @@
+#include "metrics/continuity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/arc_map.hpp"
+#include "metrics/summary.hpp"
+#include "metrics/tangents.hpp"
+
+namespace kappabench {
+namespace {
+
+constexpr double allowed_gap = 1e-9;
+constexpr double allowed_angle = 1e-7;
+constexpr double allowed_jump = 1e-6;
+
+double finite_curvature(const Jet& jet) {
+  const double kappa = curvature(jet);
+  return std::isfinite(kappa) ? kappa : 0.0;
+}
+
+/// What an error of one unit in the last place of the coordinates, blown up by differentiation (degree 5: 5 in c', 20
+/// in c''), does to curvature = c' x c'' / |c'|^3.
+double curvature_rounding(const Jet& jet) {
+  const double unit = 0x1p-52 * jet.position().cwiseAbs().maxCoeff();
+  const double v = speed(jet);
+  const double bend = jet.d[2].norm();
+  return v > 0.0 ? unit * (20.0 * v + 20.0 * bend) / (v * v * v) : 0.0;
+}
+
+double relative_jump(const Vec2& a, const Vec2& b, double guard) {
+  return (b - a).norm() / std::max({a.norm(), b.norm(), guard});
+}
+
+JointJump jump_at(const Curve& curve, const Joint& joint, double chord, double length) {
+  const Segment& before = curve.segment(joint.segment);
+  const Segment& after = curve.segment(curve.next(joint.segment));
+  const Jet end = before.jet(1.0, 2);
+  const Jet start = after.jet(0.0, 2);
+  const double rest = 1e-10 * length / curve.size();
+  const double angle =
+      angle_between(unit_tangent(before, 1.0, Side::before, rest), unit_tangent(after, 0.0, Side::after, rest));
+  const double k0 = finite_curvature(end);
+  const double k1 = finite_curvature(start);
+  const double scale = std::max({std::abs(k0), std::abs(k1), 1.0 / length});
+  const double guard = 1e-3 * chord;
+  return {joint,
+          (start.position() - end.position()).norm() / chord,
+          std::abs(angle),
+          std::abs(k1 - k0) / scale,
+          std::abs(std::abs(k1) - std::abs(k0)) / scale,
+          (curvature_rounding(end) + curvature_rounding(start)) / scale,
+          relative_jump(end.d[1], start.d[1], guard),
+          relative_jump(end.d[2], start.d[2], guard)};
+}
+
+}  // namespace
+
+bool JointJump::meets_claim() const {
+  if (!(gap <= allowed_gap)) return false;
+  const Continuity claim = joint.claimed;
+  if (claim == Continuity::g0) return true;
+  if (!(angle <= allowed_angle)) return false;
+  const double allowed_curvature = allowed_jump + curvature_uncertainty;
+  switch (claim) {
+    case Continuity::g1_equal_magnitude:
+      return curvature_magnitude <= allowed_curvature;
+    case Continuity::g2:
+      return curvature <= allowed_curvature;
+    case Continuity::c1:
+      return first_derivative <= allowed_jump;
+    case Continuity::c2:
+      return first_derivative <= allowed_jump && second_derivative <= allowed_jump && curvature <= allowed_curvature;
+    case Continuity::g0:
+    case Continuity::g1:
+      return true;
+  }
+  return false;
+}
+
+std::vector<JointJump> joint_jumps(const Curve& curve, double mean_chord) {
+  const double length = ArcMap(curve).length();
+  std::vector<JointJump> jumps;
+  for (const Joint& joint : curve.joints()) jumps.push_back(jump_at(curve, joint, mean_chord, length));
+  return jumps;
+}
+
+Metric continuity_metric() {
+  const std::string none = "; NaN without such a joint";
+  const std::vector<Column> columns{
+      {"continuity_position_gap", "1", "largest gap at a joint over the mean chord" + none},
+      {"continuity_angle_jump", "rad", "largest angle between tangents, joints claimed G1 or better" + none},
+      {"continuity_curvature_jump_g2", "1", "largest relative jump of curvature, joints claimed G2 or C2" + none},
+      {"continuity_curvature_jump_equal_magnitude", "1",
+       "largest relative jump of |curvature|, joints claimed G1 with equal magnitude" + none},
+      {"continuity_signed_jump_equal_magnitude", "1",
+       "largest relative jump of curvature, joints claimed G1 with equal magnitude" + none},
+      {"continuity_curvature_jump_all", "1", "largest relative jump of curvature at any joint" + none},
+      {"continuity_first_derivative_jump", "1", "largest relative jump of c', joints claimed C1 or C2" + none},
+      {"continuity_second_derivative_jump", "1", "largest relative jump of c'', joints claimed C2" + none},
+      {"continuity_violations", "1", "number of joints that miss their claim"}};
+
+  const auto measure = [](const Scheme&, const Fit& fit) {
+    const std::vector<JointJump> jumps = joint_jumps(*fit.curve, mean_chord(fit.input));
+    const auto largest = [&](double JointJump::*value, std::initializer_list<Continuity> claims) {
+      std::vector<double> values;
+      for (const JointJump& jump : jumps) {
+        const bool wanted =
+            claims.size() == 0 || std::find(claims.begin(), claims.end(), jump.joint.claimed) != claims.end();
+        if (wanted) values.push_back(jump.*value);
+      }
+      return max_of(values);
+    };
+    using enum Continuity;
+    const auto violations =
+        std::count_if(jumps.begin(), jumps.end(), [](const JointJump& jump) { return !jump.meets_claim(); });
+    return std::vector<Measurement>{
+        {"continuity_position_gap", largest(&JointJump::gap, {}), Method::exact},
+        {"continuity_angle_jump", largest(&JointJump::angle, {g1, g1_equal_magnitude, g2, c1, c2}), Method::exact},
+        {"continuity_curvature_jump_g2", largest(&JointJump::curvature, {g2, c2}), Method::exact},
+        {"continuity_curvature_jump_equal_magnitude", largest(&JointJump::curvature_magnitude, {g1_equal_magnitude}),
+         Method::exact},
+        {"continuity_signed_jump_equal_magnitude", largest(&JointJump::curvature, {g1_equal_magnitude}), Method::exact},
+        {"continuity_curvature_jump_all", largest(&JointJump::curvature, {}), Method::exact},
+        {"continuity_first_derivative_jump", largest(&JointJump::first_derivative, {c1, c2}), Method::exact},
+        {"continuity_second_derivative_jump", largest(&JointJump::second_derivative, {c2}), Method::exact},
+        {"continuity_violations", static_cast<double>(violations), Method::exact}};
+  };
+  return {"continuity", "Continuity at joints against the claim", 1, columns, measure};
+}
+
+}  // namespace kappabench

@@ -1,0 +1,141 @@
+#include "metrics/curvature_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "schemes/curve/exact_curvature.hpp"
+
+namespace kappabench {
+namespace {
+
+constexpr double beside = 1e-6;  // how far from a cusp or a resting end curvature is read, in t
+constexpr double rounding = 1e-9;
+constexpr double steepest = 1e12;
+
+double curvature_at(const Segment& segment, double t) { return curvature(segment.jet(t, 2)); }
+
+double end_curvature(const Segment& segment, double t) {
+  const double kappa = curvature_at(segment, t);
+  const double inside = t < 0.5 ? beside : 1.0 - beside;
+  const bool rests = !(speed(segment.jet(t, 1)) > 1e-8 * speed(segment.jet(0.5, 1)));
+  if (std::isfinite(kappa) && !rests) return kappa;
+  const double near = curvature_at(segment, inside);
+  return std::isfinite(near) ? near : 0.0;
+}
+
+void append_segment(const Segment& segment, int index, double limit, CurvatureProfile& profile) {
+  using Kind = ProfilePoint::Kind;
+  const auto bounded = [limit](double kappa) { return std::clamp(kappa, -limit, limit); };
+  std::vector<ProfilePoint> inside;
+  const std::vector<double> stops = cusps(segment);
+  for (const double t : stops) {
+    for (const double side : {t - beside, t + beside}) {
+      const double kappa = curvature_at(segment, side);
+      inside.push_back({{index, t}, kappa < 0.0 ? -limit : limit, Kind::cusp});
+    }
+  }
+  const SignChanges extrema = curvature_extrema(segment);
+  profile.certified = profile.certified && extrema.certified;
+  for (const RootBracket& bracket : extrema.at) {
+    const double t = bracket.mid();
+    const bool at_cusp = std::any_of(stops.begin(), stops.end(), [t](double c) { return std::abs(c - t) < beside; });
+    const double kappa = curvature_at(segment, t);
+    if (!at_cusp && std::isfinite(kappa)) inside.push_back({{index, t}, bounded(kappa), Kind::extremum});
+  }
+  std::stable_sort(inside.begin(), inside.end(),
+                   [](const ProfilePoint& a, const ProfilePoint& b) { return a.place.t < b.place.t; });
+  profile.points.push_back({{index, 0.0}, bounded(end_curvature(segment, 0.0)), Kind::end});
+  profile.points.insert(profile.points.end(), inside.begin(), inside.end());
+  profile.points.push_back({{index, 1.0}, bounded(end_curvature(segment, 1.0)), Kind::end});
+}
+
+}  // namespace
+
+std::span<const ProfilePoint> CurvatureProfile::of_segment(int segment) const {
+  const auto i = static_cast<std::size_t>(segment);
+  return std::span{points}.subspan(first[i], first[i + 1] - first[i]);
+}
+
+std::vector<double> CurvatureProfile::splits(int segment) const {
+  std::vector<double> result;
+  for (const ProfilePoint& point : of_segment(segment)) {
+    if (point.kind != ProfilePoint::Kind::end) result.push_back(point.place.t);
+  }
+  return result;
+}
+
+bool CurvatureProfile::cusp_within(int segment, double t0, double t1) const {
+  const auto inside = of_segment(segment);
+  return std::any_of(inside.begin(), inside.end(), [&](const ProfilePoint& point) {
+    return point.kind == ProfilePoint::Kind::cusp && point.place.t >= t0 && point.place.t <= t1;
+  });
+}
+
+CurvatureProfile curvature_profile(const Curve& curve) {
+  CurvatureProfile profile;
+  const double length = ArcMap(curve).length();
+  profile.unit = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::min();
+  for (int i = 0; i < curve.size(); ++i) {
+    profile.first.push_back(profile.points.size());
+    append_segment(curve.segment(i), i, steepest * profile.unit, profile);
+  }
+  profile.first.push_back(profile.points.size());
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const ProfilePoint& point : profile.points) {
+    if (point.kind == ProfilePoint::Kind::cusp) continue;
+    least = std::min(least, point.curvature);
+    most = std::max(most, point.curvature);
+  }
+  profile.range = std::max(0.0, most - least);
+  return profile;
+}
+
+std::vector<TurningPoint> turning_points(std::span<const ProfilePoint> sequence, double unit, double prominence) {
+  const auto value = [&](std::size_t i) { return sequence[i].curvature; };
+  const auto differ = [&](std::size_t low, std::size_t high) {
+    const double scale = std::max({std::abs(value(low)), std::abs(value(high)), unit});
+    return value(high) - value(low) > std::max(prominence, rounding * scale);
+  };
+  std::vector<TurningPoint> found;
+  int direction = 0;
+  std::size_t lowest = 0;
+  std::size_t highest = 0;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    if (value(i) < value(lowest)) lowest = i;
+    if (value(i) > value(highest)) highest = i;
+    if (direction == 0) {
+      if (differ(lowest, highest)) direction = highest > lowest ? 1 : -1;
+    } else if (direction > 0 && differ(i, highest)) {
+      found.push_back({highest, true});
+      direction = -1;
+      lowest = i;
+    } else if (direction < 0 && differ(lowest, i)) {
+      found.push_back({lowest, false});
+      direction = 1;
+      highest = i;
+    }
+    if (direction > 0) lowest = i;
+    if (direction < 0) highest = i;
+  }
+  return found;
+}
+
+std::vector<TurningPoint> turning_points(const CurvatureProfile& profile, bool closed, double prominence) {
+  if (!closed) return turning_points(profile.points, profile.unit, prominence);
+  // Around, from the largest curvature back to it.
+  const std::size_t n = profile.points.size();
+  const auto peak = static_cast<std::size_t>(
+      std::max_element(profile.points.begin(), profile.points.end(),
+                       [](const ProfilePoint& a, const ProfilePoint& b) { return a.curvature < b.curvature; }) -
+      profile.points.begin());
+  std::vector<ProfilePoint> around;
+  for (std::size_t i = 0; i <= n; ++i) around.push_back(profile.points[(peak + i) % n]);
+  std::vector<TurningPoint> found = turning_points(around, profile.unit, prominence);
+  if (!found.empty()) found.push_back({0, true});
+  for (TurningPoint& point : found) point.index = (point.index + peak) % n;
+  return found;
+}
+
+}  // namespace kappabench

@@ -1,0 +1,224 @@
+#include "metrics/invariance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "metrics/correspondence.hpp"
+#include "metrics/summary.hpp"
+#include "schemes/api/edit.hpp"
+
+namespace kappabench {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double perturbation = 1e-9;  // of the mean chord
+
+/// x -> scale * turn(mirror(x)) + shift.
+struct Similarity {
+  double scale = 1.0;
+  double angle = 0.0;
+  Vec2 shift = Vec2::Zero();
+  bool mirror = false;
+
+  [[nodiscard]] Vec2 operator()(Vec2 p) const {
+    if (mirror) p.y() = -p.y();
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return scale * Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()) + shift;
+  }
+  /// Tangents and curvatures that a user has given move along.
+  [[nodiscard]] PointOptions operator()(PointOptions options) const {
+    if (options.tangent) options.tangent = (mirror ? -*options.tangent : *options.tangent) + angle;
+    if (options.curvature) options.curvature = (mirror ? -*options.curvature : *options.curvature) / scale;
+    return options;
+  }
+};
+
+Input transformed(Input input, const Similarity& map) {
+  for (Vec2& p : input.points) p = map(p);
+  for (PointOptions& options : input.options) options = map(options);
+  return input;
+}
+
+/// The points in another order: new point i is old point order[i].
+Input reordered(const Input& input, const std::vector<int>& order) {
+  Input result;
+  result.closed = input.closed;
+  for (const int i : order) {
+    result.points.push_back(input.points[static_cast<std::size_t>(i)]);
+    result.ids.push_back(input.id_of(i));
+    if (!input.options.empty()) result.options.push_back(input.options_of(i));
+  }
+  return result;
+}
+
+Input reversed_input(const Input& input, const std::vector<int>& order) {
+  Input result = reordered(input, order);
+  for (PointOptions& options : result.options) {
+    std::swap(options.alpha, options.beta);
+    if (options.tangent) options.tangent = *options.tangent + std::numbers::pi;
+    if (options.curvature) options.curvature = -*options.curvature;
+  }
+  return result;
+}
+
+std::vector<Span> with_old_names(std::vector<Span> renamed, const std::vector<int>& order) {
+  for (Span& span : renamed) {
+    if (span.from != no_point) span.from = order[static_cast<std::size_t>(span.from)];
+    if (span.to != no_point) span.to = order[static_cast<std::size_t>(span.to)];
+  }
+  return renamed;
+}
+
+/// What all the tests below start from.
+class Probe {
+ public:
+  Probe(const Scheme& scheme, const Fit& fit)
+      : scheme_(scheme), fit_(fit), chord_(mean_chord(fit.input)), original_(spans(*fit.curve)) {}
+
+  [[nodiscard]] double under(const Similarity& map) const {
+    const Fit moved = scheme_.fit(transformed(fit_.input, map));
+    if (!moved.curve) return infinite;
+    std::vector<Span> expected = original_;
+    for (Span& span : expected) {
+      for (Vec2& p : span.samples) p = map(p);
+    }
+    return deviation(expected, spans(*moved.curve), fit_.input.closed) / (map.scale * chord_);
+  }
+
+  [[nodiscard]] double under_reversal() const {
+    std::vector<int> order;
+    for (int i = fit_.input.size(); i-- > 0;) order.push_back(i);
+    const Fit other = scheme_.fit(reversed_input(fit_.input, order));
+    if (!other.curve) return infinite;
+    return deviation(original_, reversed(with_old_names(spans(*other.curve), order)), fit_.input.closed) / chord_;
+  }
+
+  /// Starts half way around.
+  [[nodiscard]] double under_shift() const {
+    if (!fit_.input.closed) return undefined;
+    std::vector<int> order;
+    const int n = fit_.input.size();
+    for (int i = 0; i < n; ++i) order.push_back((i + n / 2) % n);
+    const Fit other = scheme_.fit(reordered(fit_.input, order));
+    if (!other.curve) return infinite;
+    return deviation(original_, with_old_names(spans(*other.curve), order), true) / chord_;
+  }
+
+  /// Every point moved by 1e-9 of the mean chord, in directions that turn by the golden angle: deviation over
+  /// displacement.
+  [[nodiscard]] double sensitivity() const {
+    Input input = fit_.input;
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (std::size_t i = 0; i < input.points.size(); ++i) {
+      const double direction = golden_angle * static_cast<double>(i);
+      input.points[i] += perturbation * chord_ * Vec2(std::cos(direction), std::sin(direction));
+    }
+    const Fit other = scheme_.fit(input);
+    if (!other.curve) return infinite;
+    return deviation(original_, spans(*other.curve), input.closed) / (perturbation * chord_);
+  }
+
+  /// One insertion at a time, in the middle of a span between consecutive points.
+  [[nodiscard]] std::vector<double> under_insertion() const {
+    std::vector<double> deviations;
+    const int n = fit_.input.size();
+    for (const int k : tried(static_cast<int>(original_.size()))) {
+      const Span& span = original_[static_cast<std::size_t>(k)];
+      const bool consecutive = span.to == span.from + 1 || (fit_.input.closed && span.to == (span.from + 1) % n);
+      if (!consecutive) continue;
+      const int at = span.from + 1;
+      const Fit more = scheme_.fit(apply(fit_.input, Insert{at, span.samples[samples_per_span / 2]}));
+      if (!more.curve) {
+        deviations.push_back(infinite);
+        continue;
+      }
+      std::vector<int> order;
+      for (int i = 0; i <= n; ++i) order.push_back(i < at ? i : i - 1);
+      deviations.push_back(deviation(original_, with_old_names(spans(*more.curve, at), order), fit_.input.closed) /
+                           chord_);
+    }
+    return deviations;
+  }
+
+  [[nodiscard]] double chord() const { return chord_; }
+
+ private:
+  const Scheme& scheme_;
+  const Fit& fit_;
+  double chord_;
+  std::vector<Span> original_;
+};
+
+constexpr int polygon_sizes[] = {3, 4, 5, 6, 8, 12, 16};
+
+double roundness(const Scheme& scheme, int n) {
+  Input input;
+  input.closed = true;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    input.points.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const Fit fit = scheme.fit(input);
+  if (fit.report.outcome == Outcome::unsupported_input) return undefined;
+  if (!fit.curve) return infinite;
+  double largest = 0.0;
+  for (const Jet& jet : sample(*fit.curve, 65, 0).jets) {
+    const double miss = std::abs(jet.position().norm() - 1.0);
+    if (!(miss <= largest)) largest = miss;
+  }
+  return largest;
+}
+
+}  // namespace
+
+Metric invariance_metric() {
+  const std::string what = ": largest deviation over the mean chord; infinite if it cannot be fitted";
+  const std::vector<Column> columns{
+      {"deviation_similarity", "1", "points scaled by 3.7, turned by 0.7 rad and shifted" + what},
+      {"deviation_mirror", "1", "points mirrored" + what},
+      {"deviation_reversal", "1", "points in reverse order" + what},
+      {"deviation_cyclic_shift", "1", "closed curves: another first point" + what + "; NaN on open curves"},
+      {"deviation_extensionality_mean", "1", "a point of the curve added to the input" + what + "; NaN without spans"},
+      {"deviation_extensionality_max", "1", "a point of the curve added to the input" + what + "; NaN without spans"},
+      {"sensitivity", "1", "all points moved by 1e-9 mean chord: largest deviation over displacement"}};
+
+  const auto measure = [](const Scheme& scheme, const Fit& fit) {
+    const Probe probe(scheme, fit);
+    const Similarity moved{3.7, 0.7, probe.chord() * Vec2(12.0, -5.0), false};
+    const Similarity mirrored{1.0, 0.0, Vec2::Zero(), true};
+    const std::vector<double> insertions = probe.under_insertion();
+    return std::vector<Measurement>{{"deviation_similarity", probe.under(moved), Method::sampled},
+                                    {"deviation_mirror", probe.under(mirrored), Method::sampled},
+                                    {"deviation_reversal", probe.under_reversal(), Method::sampled},
+                                    {"deviation_cyclic_shift", probe.under_shift(), Method::sampled},
+                                    {"deviation_extensionality_mean", mean_of(insertions), Method::sampled},
+                                    {"deviation_extensionality_max", max_of(insertions), Method::sampled},
+                                    {"sensitivity", probe.sensitivity(), Method::sampled}};
+  };
+  return {"invariance", "Invariance and stability of the scheme", 1, columns, measure, true};
+}
+
+Metric roundness_metric() {
+  std::vector<Column> columns;
+  for (const int n : polygon_sizes) {
+    columns.push_back({fmt::format("roundness_{}", n), "1",
+                       fmt::format("regular {}-gon: largest distance from its circle over the radius; "
+                                   "NaN if the scheme takes no closed input",
+                                   n)});
+  }
+  const auto measure = [](const Scheme& scheme, const Fit&) {
+    std::vector<Measurement> row;
+    for (const int n : polygon_sizes) {
+      row.push_back({fmt::format("roundness_{}", n), roundness(scheme, n), Method::sampled});
+    }
+    return row;
+  };
+  return {"roundness", "Regular polygons against the circle", 1, columns, measure, true};
+}
+
+}  // namespace kappabench
