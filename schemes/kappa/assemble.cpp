@@ -1,0 +1,130 @@
+#include "schemes/kappa/assemble.hpp"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "schemes/segments/polynomial.hpp"
+#include "schemes/segments/trigonometric.hpp"
+
+namespace kappabench::kappa {
+namespace {
+
+/// A segment whose joints are both this near to its point, over the point's size, has shrunk to the point.
+constexpr double shrunk = 1e-11;
+
+SegmentPtr make_segment(SegmentKind kind, double a, const Vec2& c0, const Vec2& c1, const Vec2& c2) {
+  switch (kind) {
+    case SegmentKind::quadratic:
+      return std::make_shared<const PolynomialSegment>(std::array{c0, c1, c2});
+    case SegmentKind::cubic:  // Miura 2022, Eq. (1)
+      return std::make_shared<const PolynomialSegment>(
+          std::array<Vec2, 4>{c0, (1.0 - a) * c0 + a * c1, a * c1 + (1.0 - a) * c2, c2});
+    case SegmentKind::trigonometric:
+      break;
+  }
+  return std::make_shared<const TrigonometricSegment>(  // Eq. (17)
+      std::array<Vec2, 5>{c0, (1.0 - a) * c0 + a * c1, 0.5 * ((1.0 - a) * (c0 + c2) + 2.0 * a * c1),
+                          a * c1 + (1.0 - a) * c2, c2});
+}
+
+/// One segment that is really there.
+struct Piece {
+  std::size_t number;  ///< in the chain
+  int sign;            ///< of its curvature, 0 if none
+};
+
+/// Whether |kappa| has a minimum where the segment passes its point, judged by its slope on both sides.
+bool at_minimum(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
+  const double step = 1e-4 * last_parameter(chain.basis);
+  return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
+}
+
+}  // namespace
+
+Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
+                   const Setting& setting) {
+  const std::size_t m = chain.segments();
+  const Ratios ratios = ratios_of(state);
+  const int first_point = input.closed ? 0 : 1;
+  const auto point_of = [&](std::size_t i) { return static_cast<int>(i) - 1 + first_point; };
+  const auto position = [&](std::size_t i) { return input.points[static_cast<std::size_t>(point_of(i))]; };
+
+  std::vector<Ends> q(m + 1);
+  std::vector<Piece> pieces;
+  std::vector<bool> gone(m + 2, false);
+  for (std::size_t i = 1; i <= m; ++i) {
+    q[i] = ends(chain, state, ratios, i);
+    gone[i] = m > 1 && q[i].x.norm() < shrunk * chain.size[i] && q[i].y.norm() < shrunk * chain.size[i];
+    const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
+    const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
+    const double turn = cross(before, after);
+    const bool straight = std::abs(turn) <= least_area * before.norm() * after.norm();
+    if (!gone[i]) pieces.push_back({i, straight ? 0 : turn > 0.0 ? 1 : -1});
+  }
+  // Each joint once, so that its two segments meet exactly; a shrunken segment gives its point to both.
+  std::vector<Vec2> joint(m + 1);
+  for (std::size_t k = 1; k <= m; ++k) {
+    const std::size_t next = chain.next(k);
+    joint[k] = gone[k] ? position(k) : (next <= m && gone[next]) ? position(next) : Vec2(position(k) + q[k].y);
+  }
+  joint[0] = input.closed ? joint[m] : input.points.front();
+  if (!input.closed) joint[m] = input.points.back();
+
+  std::map<std::string, long> counters{{"pinned", 0}, {"at_inflection", 0}, {"s_joints", 0}};
+  if (kind == SegmentKind::trigonometric) counters["curvature_minima"] = 0;
+  std::vector<SegmentPtr> segments;
+  std::vector<Joint> joints;
+  std::vector<Node> nodes;
+  const double last = last_parameter(chain.basis);
+  for (std::size_t i = 1; i <= m; ++i) {
+    const Form form = setting.form[i];
+    if (gone[i]) {
+      // The node is the end of the segment before; of a closed curve's very first one, the start of what follows.
+      const int before = static_cast<int>(segments.size()) - 1;
+      nodes.push_back(
+          {.point = point_of(i), .segment = std::max(before, 0), .t = before < 0 ? 0.0 : 1.0, .at_inflection = true});
+      ++counters["at_inflection"];
+      continue;
+    }
+    const bool pinned = form == Form::at_start || form == Form::at_end;
+    const double t = form == Form::at_start ? 0.0 : form == Form::at_end ? last : stationary_parameter(chain, i, q[i]);
+    const bool minimum = kind == SegmentKind::trigonometric && !pinned && at_minimum(chain, i, state.e[i], q[i], t);
+    nodes.push_back({.point = point_of(i),
+                     .segment = static_cast<int>(segments.size()),
+                     .t = t / last,
+                     .pinned = pinned,
+                     .curvature_minimum = minimum});
+    counters["pinned"] += pinned;
+    if (kind == SegmentKind::trigonometric) counters["curvature_minima"] += minimum;
+    segments.push_back(make_segment(kind, chain.a[i], joint[i - 1], position(i) + state.e[i], joint[i]));
+  }
+  const std::size_t count = pieces.size(), met = input.closed ? count : count - 1;
+  for (std::size_t k = 0; k < met; ++k) {
+    const int product = pieces[k].sign * pieces[(k + 1) % count].sign;
+    joints.push_back({static_cast<int>(k), product < 0 ? Continuity::g1_equal_magnitude : Continuity::g2});
+    counters["s_joints"] += product < 0;
+  }
+  return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};
+}
+
+Curve straight_line(const Input& input) {
+  const std::size_t n = input.points.size();
+  std::vector<SegmentPtr> segments;
+  std::vector<Joint> joints;
+  std::vector<Node> nodes;
+  Vec2 start = input.points.front();
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const Vec2& p = input.points[i];
+    const Vec2 end = i + 2 == n ? input.points[n - 1] : Vec2(0.5 * (p + input.points[i + 1]));
+    const int number = static_cast<int>(segments.size());
+    nodes.push_back({.point = static_cast<int>(i), .segment = number, .t = (p - start).norm() / (end - start).norm()});
+    segments.push_back(std::make_shared<const PolynomialSegment>(std::array{start, end}));
+    if (i + 2 < n) joints.push_back({number, Continuity::g2});
+    start = end;
+  }
+  return Curve(std::move(segments), std::move(joints), std::move(nodes), false);
+}
+
+}  // namespace kappabench::kappa

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "schemes/api/scheme.hpp"
+#include "schemes/kappa/cascade.hpp"
+#include "schemes/kappa/family.hpp"
+
+namespace kappabench::kappa {
+
+/// A curve and what there is to count on it: "pinned", "at_inflection", "s_joints", for the trigonometric basis
+/// "curvature_minima".
+struct Assembled {
+  Curve curve;
+  std::map<std::string, long> counters;
+};
+
+/// The curve of a state: one segment for each segment of the chain, except those that have shrunk to a point at an
+/// inflection. `setting` says which points are pinned.
+[[nodiscard]] Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
+                                 const Setting& setting);
+
+/// The straight line through points on one line in order, as segments of degree 1 that meet midway between points.
+[[nodiscard]] Curve straight_line(const Input& input);
+
+}  // namespace kappabench::kappa

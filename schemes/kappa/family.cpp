@@ -1,0 +1,146 @@
+#include "schemes/kappa/family.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "schemes/kappa/assemble.hpp"
+#include "schemes/kappa/cascade.hpp"
+#include "schemes/kappa/published_iteration.hpp"
+#include "schemes/kappa/windows.hpp"
+
+namespace kappabench::kappa {
+
+std::vector<ParameterSpec> iteration_parameters() {
+  return {{.name = "iteration",
+           .default_value = std::string("newton"),
+           .help = "how the equations are solved: damped Newton with fallbacks, or the papers' Algorithm 1",
+           .choices = {"newton", "published"}},
+          {.name = "max_iterations",
+           .default_value = 50L,
+           .help = "the most steps of iteration=published (newton has its own bounds)",
+           .least = 1,
+           .most = 1000000}};
+}
+
+SchemeTraits family_traits() {
+  return {.continuity = Continuity::g2,
+          .continuity_exceptions = "where the curvature changes sign (S-joints): G1 with equal |curvature|"};
+}
+
+Iteration iteration_of(const Parameters& parameters) {
+  return {.published = parameters.text("iteration") == "published",
+          .max_iterations = static_cast<int>(parameters.integer("max_iterations"))};
+}
+
+Sharpness sharpness_of(const Input& input, double global, const ParameterSpec& spec) {
+  Sharpness result{std::vector<double>(input.points.size(), global), {}};
+  for (int i = 0; i < input.size(); ++i) {
+    const std::optional<double> own = input.options_of(i).a;
+    if (!own) continue;
+    try {
+      validate(spec, ParameterValue(*own));
+    } catch (const std::invalid_argument& error) {
+      result.problem = fmt::format("point {}: {}", i, error.what());
+      return result;
+    }
+    result.values[static_cast<std::size_t>(i)] = *own;
+  }
+  return result;
+}
+
+Fit refusal(const Input& input, std::string why) {
+  return {input, std::nullopt, {.outcome = Outcome::unsupported_input, .message = std::move(why)}};
+}
+
+namespace {
+
+/// Whether all points lie on one line to rounding, and whether they follow each other on it.
+struct Line {
+  bool straight, in_order;
+};
+
+Line line_of(const Input& input) {
+  const Vec2& origin = input.points.front();
+  const auto farther = [&](const Vec2& p, const Vec2& q) {
+    return (p - origin).squaredNorm() < (q - origin).squaredNorm();
+  };
+  const Vec2 along = *std::max_element(input.points.begin(), input.points.end(), farther) - origin;
+  Line line{true, !input.closed};
+  double before = 0.0;
+  for (const Vec2& p : input.points) {
+    line.straight = line.straight && std::abs(cross(along, p - origin)) <= 1e-13 * along.squaredNorm();
+    const double at = along.dot(p - origin);
+    line.in_order = line.in_order && at >= before;
+    before = at;
+  }
+  return line;
+}
+
+/// Algorithm 1 of Miura 2022 until the residual is small or the steps are used up.
+Solution iterate_published(const Chain& chain, int most) {
+  const System system(chain);
+  PublishedIteration iteration(system);
+  Values values;
+  Solution solution{.state = initial_state(chain), .setting = uniform_setting(chain, Form::divided)};
+  for (;;) {
+    solution.residual = residual_of(system, solution.state, values);
+    solution.trace.push_back(solution.residual);
+    solution.converged = solution.residual <= accuracy;
+    if (solution.converged || solution.effort.sweeps == most || !iteration.step(solution.state)) break;
+    ++solution.effort.sweeps;
+  }
+  for (std::size_t i = 1; i <= chain.segments(); ++i)
+    solution.setting.form[i] = nearest_form(system, solution.state, values, i);
+  return solution;
+}
+
+Solution solve_by_newton(const Chain& chain) {
+  if (chain.segments() > longest_whole_chain) return solve_in_windows(chain);
+  return solve_chain(chain, initial_state(chain), nullptr, true);
+}
+
+}  // namespace
+
+Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, const Iteration& iteration) {
+  if (const Line line = line_of(input); line.straight) {
+    if (!line.in_order)
+      return refusal(input,
+                     "the points lie on one line and turn back on it; a curve of this family would have cusps there");
+    return {input,
+            straight_line(input),
+            {.outcome = Outcome::converged,
+             .message = "the points lie on one line: the curve is that line",
+             .trace = {0.0}}};
+  }
+  const BasisKind basis = kind == SegmentKind::trigonometric ? BasisKind::trigonometric : BasisKind::cubic;
+  const Chain chain = make_chain(input.points, a, input.closed, basis);
+  const Solution solution =
+      iteration.published ? iterate_published(chain, iteration.max_iterations) : solve_by_newton(chain);
+
+  Fit fit{.input = input, .curve = std::nullopt, .report = {}};
+  Report& report = fit.report;
+  report.iterations = static_cast<int>(solution.effort.iterations());
+  report.residual = solution.residual;
+  report.trace = solution.trace;
+  report.outcome = solution.converged ? Outcome::converged : Outcome::not_converged;
+  if (!std::isfinite(solution.residual)) {
+    report.outcome = Outcome::failed;
+    report.message = "the iteration left the range of numbers";
+    return fit;
+  }
+  if (!solution.converged)
+    report.message = fmt::format("not solved: the residual is {:.2g}, {:.0e} is asked for", report.residual, accuracy);
+  Assembled assembled = assemble(input, kind, chain, solution.state, solution.setting);
+  fit.curve = std::move(assembled.curve);
+  report.counters = std::move(assembled.counters);
+  report.counters["sweeps"] = solution.effort.sweeps;
+  report.counters["newton"] = solution.effort.newton;
+  if (!iteration.published) report.counters["attempts"] = solution.effort.attempts;
+  return fit;
+}
+
+}  // namespace kappabench::kappa

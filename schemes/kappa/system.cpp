@@ -1,0 +1,308 @@
+#include "schemes/kappa/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "schemes/kappa/stationary_point.hpp"
+
+namespace kappabench::kappa {
+namespace {
+
+using Mat2 = Eigen::Matrix2d;
+
+/// log(1 + exp(x)) without overflow.
+double softplus(double x) { return x > 0.0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x)); }
+
+/// 1 / (1 + exp(-x)).
+double logistic(double x) {
+  if (x >= 0.0) return 1.0 / (1.0 + std::exp(-x));
+  const double y = std::exp(x);
+  return y / (1.0 + y);
+}
+
+/// One segment's interpolation equation, in the units of the drawing.
+struct Interpolation {
+  double t;
+  Vec2 value;
+};
+/// Its derivatives by e, X and Y taken as independent.
+struct InterpolationDerivatives {
+  Mat2 by_e, by_x, by_y;
+};
+
+template <class Basis>
+class SegmentRow {
+ public:
+  SegmentRow(double a, Form form, double softness) : basis_(a), form_(form), softness_(softness) {}
+
+  [[nodiscard]] Interpolation value(const Vec2& e, const Ends& q) const {
+    switch (form_) {
+      case Form::at_start:
+        return {0.0, q.x};
+      case Form::at_end:
+        return {Basis::last, q.y};
+      case Form::direct: {
+        const double t = Direct(basis_, e - q.x, q.y - e, softness_).peak();
+        const Blend b = basis_.blend(t);
+        return {t, b.b0 * q.x + b.b1 * e + b.b2 * q.y};
+      }
+      default: {
+        const double t = Eliminated(basis_, q.x, q.y, softness_).inner_root();
+        const Blend b = basis_.blend(t);
+        if (form_ == Form::undivided) return {t, b.b0 * q.x + b.b1 * e + b.b2 * q.y};
+        return {t, e + (b.b0 / b.b1) * q.x + (b.b2 / b.b1) * q.y};
+      }
+    }
+  }
+
+  [[nodiscard]] InterpolationDerivatives derivatives(const Vec2& e, const Ends& q, double t) const {
+    const Mat2 one = Mat2::Identity(), zero = Mat2::Zero();
+    if (form_ == Form::at_start) return {zero, one, zero};
+    if (form_ == Form::at_end) return {zero, zero, one};
+    const Blend b = basis_.blend(t);
+    if (form_ == Form::direct) {
+      InterpolationDerivatives d{b.b1 * one, b.b0 * one, b.b2 * one};
+      if (t <= 0.0 || t >= Basis::last) return d;
+      const Vec2 r = e - q.x, s = q.y - e;
+      const Direct equation(basis_, r, s, softness_);
+      const Pair l = basis_.legs(t);
+      const Vec2 velocity = l.first * r + l.second * s;
+      const auto g = equation.gradient(t, r, s);
+      const double slope = equation(t).derivative;
+      d.by_x += velocity * (g.a / slope).transpose();  // r = e - X
+      d.by_y -= velocity * (g.b / slope).transpose();  // s = Y - e
+      d.by_e -= velocity * ((g.a - g.b) / slope).transpose();
+      return d;
+    }
+    const Eliminated equation(basis_, q.x, q.y, softness_);
+    const auto g = equation.gradient(t, q.x, q.y);
+    const double slope = equation(t).derivative, w = b.bubble;
+    if (form_ == Form::divided) {
+      // d/dt of (b_0 X + b_2 Y) / b_1 is V / (k w^2).
+      const Pair p = basis_.pencil(t);
+      const Vec2 turn = (p.first * q.x + p.second * q.y) / (basis_.bubble_factor() * w * w);
+      return {one, (b.b0 / b.b1) * one - turn * (g.a / slope).transpose(),
+              (b.b2 / b.b1) * one - turn * (g.b / slope).transpose()};
+    }
+    const Pair l = basis_.legs(t);
+    const Vec2 velocity = l.first * (e - q.x) + l.second * (q.y - e);
+    return {b.b1 * one, b.b0 * one - velocity * (g.a / slope).transpose(),
+            b.b2 * one - velocity * (g.b / slope).transpose()};
+  }
+
+ private:
+  using Eliminated = StationaryEquation<Basis, Velocity::eliminated>;
+  using Direct = StationaryEquation<Basis, Velocity::of_legs>;
+  Basis basis_;
+  Form form_;
+  double softness_;
+};
+
+Interpolation interpolate(BasisKind kind, double a, Form form, double softness, const Vec2& e, const Ends& q) {
+  return kind == BasisKind::cubic ? SegmentRow<CubicBasis>(a, form, softness).value(e, q)
+                                  : SegmentRow<TrigonometricBasis>(a, form, softness).value(e, q);
+}
+
+InterpolationDerivatives interpolate_derivatives(BasisKind kind, double a, Form form, double softness, const Vec2& e,
+                                                 const Ends& q, double t) {
+  return kind == BasisKind::cubic ? SegmentRow<CubicBasis>(a, form, softness).derivatives(e, q, t)
+                                  : SegmentRow<TrigonometricBasis>(a, form, softness).derivatives(e, q, t);
+}
+
+/// Legs of the control polygon at point i: c_i - c_{i-1} and c_{i+1} - c_i.
+struct PolygonLegs {
+  Vec2 before, after;
+};
+PolygonLegs polygon_legs(const Chain& chain, const State& state, std::size_t i) {
+  return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
+}
+
+/// log((1 - a) / a^2), the constant of the end curvatures (Miura 2022, Eqs. (8) and (26)).
+double log_end_factor(double a) { return std::log1p(-a) - 2.0 * std::log(a); }
+
+double area_floor(const Chain& chain, double softness, std::size_t i) {
+  const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
+  return std::max(softness, least_area) * scale;
+}
+
+}  // namespace
+
+Setting uniform_setting(const Chain& chain, Form form) {
+  return {.form = std::vector<Form>(chain.segments() + 2, form)};
+}
+
+Ratios ratios_of(const State& state) {
+  Ratios r{std::vector<double>(state.x.size()), std::vector<double>(state.x.size())};
+  for (std::size_t k = 0; k < state.x.size(); ++k) {
+    r.lambda[k] = logistic(state.x[k]);
+    r.rest[k] = logistic(-state.x[k]);
+  }
+  return r;
+}
+
+Ends ends(const Chain& chain, const State& state, const Ratios& r, std::size_t i) {
+  return {r.rest[i - 1] * (state.e[i - 1] - chain.chord[i - 1]) + r.lambda[i - 1] * state.e[i],
+          r.rest[i] * state.e[i] + r.lambda[i] * (state.e[i + 1] + chain.chord[i])};
+}
+
+double last_parameter(BasisKind basis) {
+  return basis == BasisKind::cubic ? CubicBasis::last : TrigonometricBasis::last;
+}
+
+double peak_slope(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
+  const auto of = [&](const auto& basis) {
+    using Basis = std::decay_t<decltype(basis)>;
+    return StationaryEquation<Basis, Velocity::of_legs>(basis, e - q.x, q.y - e, 0.0)(t).value;
+  };
+  return chain.basis == BasisKind::cubic ? of(CubicBasis(chain.a[i])) : of(TrigonometricBasis(chain.a[i]));
+}
+
+namespace {
+
+struct Nearest {
+  Form form;
+  double miss;
+};
+
+Nearest nearest(const Chain& chain, const State& state, const Values& values, std::size_t i) {
+  const Ends q = ends(chain, state, values.ratios, i);
+  Nearest best{Form::divided, values.miss[i].norm()};
+  const auto consider = [&](Form form, double miss) {
+    if (!(best.miss <= miss)) best = {form, miss};
+  };
+  if (peak_slope(chain, i, state.e[i], q, 0.0) <= 0.0) consider(Form::at_start, q.x.norm() / chain.size[i]);
+  if (peak_slope(chain, i, state.e[i], q, last_parameter(chain.basis)) >= 0.0)
+    consider(Form::at_end, q.y.norm() / chain.size[i]);
+  return best;
+}
+
+}  // namespace
+
+double residual_of(const System& system, const State& state, Values& values) {
+  const Chain& chain = system.chain();
+  system.evaluate(state, uniform_setting(chain, Form::divided), values);
+  double largest = 0.0;
+  for (std::size_t i = 1; i <= chain.segments(); ++i) {
+    const double miss = nearest(chain, state, values, i).miss, bend = std::abs(values.bend[i]);
+    if (!std::isfinite(miss + bend)) return std::numeric_limits<double>::infinity();
+    largest = std::max({largest, miss, bend});
+  }
+  return largest;
+}
+
+double residual_of(const System& system, const State& state, const Setting& setting, Values& values) {
+  system.evaluate(state, setting, values);
+  return values.residual;
+}
+
+Form nearest_form(const System& system, const State& state, const Values& values, std::size_t i) {
+  return nearest(system.chain(), state, values, i).form;
+}
+
+double stationary_parameter(const Chain& chain, std::size_t i, const Ends& q) {
+  const auto of = [&](const auto& basis) {
+    using Basis = std::decay_t<decltype(basis)>;
+    return StationaryEquation<Basis, Velocity::eliminated>(basis, q.x, q.y, 0.0).inner_root();
+  };
+  return chain.basis == BasisKind::cubic ? of(CubicBasis(chain.a[i])) : of(TrigonometricBasis(chain.a[i]));
+}
+
+Blend stationary_blend(const Chain& chain, std::size_t i, const Ends& q) {
+  const double t = stationary_parameter(chain, i, q);
+  return chain.basis == BasisKind::cubic ? CubicBasis(chain.a[i]).blend(t) : TrigonometricBasis(chain.a[i]).blend(t);
+}
+
+void System::evaluate_bend(const State& state, double softness, Values& values) const {
+  const Chain& chain = *chain_;
+  const std::size_t m = chain.segments();
+  values.bend.assign(m + 2, 0.0);
+  values.area.resize(m + 2);
+  values.s.resize(m + 2);
+  for (std::size_t i = 1; i <= m; ++i) {
+    const PolygonLegs legs = polygon_legs(chain, state, i);
+    values.area[i] = cross(legs.before, legs.after);
+    values.s[i] = std::log(std::hypot(values.area[i], area_floor(chain, softness, i)));
+  }
+  for (std::size_t i = 1; i <= (chain.closed ? m : m - 1); ++i) {
+    const std::size_t j = chain.next(i);
+    // log of kappa_i(1) / kappa_{i+1}(0), Eq. (8) with Delta_i+ = (1 - lambda_{i-1}) T_i and
+    // Delta_{i+1}- = lambda_{i+1} T_{i+1}.
+    values.bend[i] = values.s[i] - values.s[j] + log_end_factor(chain.a[i]) - log_end_factor(chain.a[j]) -
+                     softplus(state.x[i - 1]) - 2.0 * state.x[i] + softplus(-state.x[j]);
+  }
+}
+
+void System::evaluate(const State& state, const Setting& setting, Values& values) const {
+  const Chain& chain = *chain_;
+  const std::size_t m = chain.segments();
+  values.ratios = ratios_of(state);
+  evaluate_bend(state, setting.area_share * setting.softness, values);
+  values.t.resize(m + 2);
+  values.miss.resize(m + 2);
+  values.merit = values.residual = 0.0;
+  const auto count = [&values](double value) {
+    values.merit += value * value;
+    values.residual =
+        std::max(values.residual, std::isfinite(value) ? std::abs(value) : std::numeric_limits<double>::infinity());
+  };
+  for (std::size_t i = 1; i <= m; ++i) {
+    const Interpolation row = interpolate(chain.basis, chain.a[i], setting.form[i], setting.softness, state.e[i],
+                                          ends(chain, state, values.ratios, i));
+    values.t[i] = row.t;
+    values.miss[i] = row.value / chain.size[i];
+    count(values.miss[i].x());
+    count(values.miss[i].y());
+    count(values.bend[i]);
+  }
+}
+
+void System::linearise(const State& state, const Setting& setting, const Values& values, Block4& jacobian,
+                       std::vector<Right4>& right) const {
+  const Chain& chain = *chain_;
+  const std::size_t m = chain.segments();
+  jacobian.cyclic = chain.closed;
+  jacobian.resize(m);
+  right.resize(m);
+  for (std::size_t i = 1; i <= m; ++i) {
+    auto &lower = jacobian.lower[i - 1], &diagonal = jacobian.diagonal[i - 1], &upper = jacobian.upper[i - 1];
+    lower.setZero();
+    diagonal.setZero();
+    upper.setZero();
+    const PolygonLegs legs = polygon_legs(chain, state, i);
+    const double size = chain.size[i];
+    const double l0 = values.ratios.lambda[i - 1], r0 = values.ratios.rest[i - 1], l1 = values.ratios.lambda[i],
+                 r1 = values.ratios.rest[i];
+
+    const InterpolationDerivatives d =
+        interpolate_derivatives(chain.basis, chain.a[i], setting.form[i], setting.softness, state.e[i],
+                                ends(chain, state, values.ratios, i), values.t[i]);
+    lower.topLeftCorner<2, 2>() = r0 / size * d.by_x;
+    lower.block<2, 1>(0, 2) = l0 * r0 / size * (d.by_x * legs.before);
+    diagonal.topLeftCorner<2, 2>() = (d.by_e + l0 * d.by_x + r1 * d.by_y) / size;
+    diagonal.block<2, 1>(0, 2) = l1 * r1 / size * (d.by_y * legs.after);
+    upper.topLeftCorner<2, 2>() = l1 / size * d.by_y;
+
+    if (chain.closed || i < m) {
+      lower(2, 2) = -l0;
+      diagonal(2, 2) = -2.0;
+      diagonal(2, 3) = 1.0;
+      upper(2, 2) = -values.ratios.rest[chain.next(i)];
+      upper(2, 3) = -1.0;
+    } else {
+      diagonal(2, 2) = 1.0;  // a fixed joint
+    }
+
+    const double floor = area_floor(chain, setting.area_share * setting.softness, i);
+    const double weight = values.area[i] / (values.area[i] * values.area[i] + floor * floor);
+    const Vec2 by_before = -left_normal(legs.after), by_after = left_normal(legs.before);  // of cross(before, after)
+    lower.block<1, 2>(3, 0) = weight * by_before.transpose();
+    diagonal.block<1, 2>(3, 0) = -weight * (by_before - by_after).transpose();
+    upper.block<1, 2>(3, 0) = -weight * by_after.transpose();
+    diagonal(3, 3) = 1.0;
+
+    right[i - 1] << -values.miss[i].x(), -values.miss[i].y(), -values.bend[i], 0.0;
+  }
+}
+
+}  // namespace kappabench::kappa

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "schemes/curve/block_tridiagonal.hpp"
+#include "schemes/kappa/basis.hpp"
+#include "schemes/kappa/chain.hpp"
+
+namespace kappabench::kappa {
+
+/// How the condition "the segment's stationary point of curvature is the input point" is written for one segment,
+/// as a vector that must vanish. With X, Y the joints relative to the point and e the middle control point:
+enum class Form : std::uint8_t {
+  divided,    ///< e + (b_0 X + b_2 Y) / b_1, t from X and Y: well conditioned, but blind to peaks at the ends
+  undivided,  ///< b_0 X + b_1 e + b_2 Y, t from X and Y: has false solutions X = 0, t = 0 and Y = 0, t = 1
+  direct,     ///< b_0 X + b_1 e + b_2 Y, t the peak of |kappa| over the closed segment: any peak, ill conditioned
+              ///< where the segment is almost straight
+  at_start,   ///< X: the point is pinned to the joint before it
+  at_end      ///< Y: the point is pinned to the joint behind it
+};
+
+/// What the equations are at one moment: a form for each segment (m + 2, the outer ones unused), and a smoothing
+/// that is 0 in the end: it keeps peaks inside the segments and areas away from zero.
+struct Setting {
+  std::vector<Form> form;
+  double softness = 0.0;
+  double area_share = 1.0;  ///< areas are smoothed by softness times this
+};
+[[nodiscard]] Setting uniform_setting(const Chain& chain, Form form);
+
+/// lambda and 1 - lambda of every joint, each with all its digits.
+struct Ratios {
+  std::vector<double> lambda, rest;
+};
+
+/// The equations' values at a state. Indices are those of Chain.
+struct Values {
+  Ratios ratios;
+  std::vector<double> t;     ///< parameter of the stationary point, in the basis's own units
+  std::vector<Vec2> miss;    ///< interpolation equation over the point's size
+  std::vector<double> bend;  ///< G2 equation at joint i, a log of the ratio of end curvatures; 0 at fixed joints
+  std::vector<double> area;  ///< T_i, twice the area of the middle control points i - 1, i, i + 1
+  std::vector<double> s;     ///< log |T_i|, smoothed
+  double merit = 0.0;        ///< sum of squares of miss and bend: what a line search decreases
+  double residual = 0.0;     ///< the largest |miss| or |bend|; infinite if a value is not finite
+};
+
+using Block4 = BlockTridiagonal<4>;
+using Right4 = BlockRight<4, 1>;
+
+/// The equations of a chain, which must outlive it.
+class System {
+ public:
+  explicit System(const Chain& chain) : chain_(&chain) {}
+
+  [[nodiscard]] const Chain& chain() const { return *chain_; }
+
+  void evaluate(const State& state, const Setting& setting, Values& values) const;
+
+  /// Only `area`, `s` and `bend`, unsmoothed.
+  void evaluate_bend(const State& state, Values& values) const { evaluate_bend(state, 0.0, values); }
+
+  /// The Jacobian at `state`, in the order (e_x, e_y, x, s) of unknowns and (miss, miss, bend, s) of equations, and
+  /// the negative values as right-hand side. `values` must come from `evaluate` at the same state and setting.
+  void linearise(const State& state, const Setting& setting, const Values& values, Block4& jacobian,
+                 std::vector<Right4>& right) const;
+
+ private:
+  void evaluate_bend(const State& state, double softness, Values& values) const;
+
+  const Chain* chain_;
+};
+
+/// Joints before and behind point i relative to it: X and Y.
+struct Ends {
+  Vec2 x, y;
+};
+[[nodiscard]] Ends ends(const Chain& chain, const State& state, const Ratios& ratios, std::size_t i);
+[[nodiscard]] Ratios ratios_of(const State& state);
+
+/// The sign and size of d|kappa|/dt (up to a positive factor) along segment i with middle control point e, at a
+/// parameter in the basis's own units.
+[[nodiscard]] double peak_slope(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t);
+/// The basis's parameter at the end of a segment.
+[[nodiscard]] double last_parameter(BasisKind basis);
+
+/// How far a state is from a solution, whatever form an iteration uses: the largest of |bend| and, at each point,
+/// of |miss| in the `divided` form, or in a pinned form where |kappa| peaks at that end if that is less.
+[[nodiscard]] double residual_of(const System& system, const State& state, Values& values);
+/// The same with a given form for each point.
+[[nodiscard]] double residual_of(const System& system, const State& state, const Setting& setting, Values& values);
+/// The form in which point i is nearest to a solution, by the same rule; `values` are those of `residual_of`.
+[[nodiscard]] Form nearest_form(const System& system, const State& state, const Values& values, std::size_t i);
+
+/// The stationary point of the segment with these ends through its point, in the basis's own units, and the basis
+/// there (Miura 2022, Section 3.1).
+[[nodiscard]] double stationary_parameter(const Chain& chain, std::size_t i, const Ends& q);
+[[nodiscard]] Blend stationary_blend(const Chain& chain, std::size_t i, const Ends& q);
+
+/// Below this fraction of the product of two legs an area is mostly rounding.
+inline constexpr double least_area = 1e-15;
+
+}  // namespace kappabench::kappa

@@ -1,0 +1,126 @@
+#include "schemes/kappa/windows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace kappabench::kappa {
+namespace {
+
+constexpr std::size_t core = 48;  ///< segments that a window of the first pass is responsible for
+constexpr int rough_sweeps = 3;
+constexpr int last_newton_steps = 20;
+
+/// Further segments on each side of what a window is responsible for, pass by pass. The first pass covers the whole
+/// chain, later ones the spots that are still open; other widths give a spot that resisted other neighbours.
+constexpr std::array<std::size_t, 10> overlaps{20, 16, 10, 30, 6, 40, 14, 60, 24, 100};
+
+/// Segments [begin, begin + length) of a chain, counted from 1, around the seam if the chain is closed.
+struct Window {
+  std::size_t begin, length;
+};
+
+class WindowSolver {
+ public:
+  explicit WindowSolver(const Chain& chain) : chain_(chain), system_(chain) {
+    solution_.state = initial_state(chain);
+    solution_.setting = uniform_setting(chain, Form::divided);
+  }
+
+  Solution solve() {
+    PublishedIteration sweeps(system_);
+    solution_.effort.sweeps += sweeps.steps(solution_.state, rough_sweeps);
+    const std::size_t m = chain_.segments();
+    check();
+    for (std::size_t begin = 1; begin <= m; begin += core)
+      solve_window(around(begin, std::min(begin + core, m + 1), overlaps[0]), false);
+    for (std::size_t pass = 1; pass < overlaps.size() && !check(); ++pass)
+      for (std::size_t begin = 1; begin <= m;) {
+        if (!open_[begin]) {
+          ++begin;
+          continue;
+        }
+        std::size_t end = begin + 1;  // one behind the last open segment of this spot
+        for (std::size_t k = end; k <= m && k < end + overlaps[pass]; ++k)
+          if (open_[k]) end = k + 1;
+        solve_window(around(begin, end, overlaps[pass]), true);
+        begin = end;
+      }
+    if (!solution_.converged) finish();
+    return std::move(solution_);
+  }
+
+ private:
+  /// Measures the state, and which segments' equations are still open.
+  bool check() {
+    solution_.residual = residual_of(system_, solution_.state, solution_.setting, values_);
+    solution_.trace.push_back(solution_.residual);
+    solution_.converged = solution_.residual <= accuracy;
+    open_.assign(chain_.segments() + 2, false);
+    for (std::size_t i = 1; i <= chain_.segments(); ++i)
+      open_[i] = !(values_.miss[i].norm() <= accuracy && std::abs(values_.bend[i]) <= accuracy);
+    return solution_.converged;
+  }
+
+  [[nodiscard]] Window around(std::size_t begin, std::size_t end, std::size_t wider) const {
+    const std::size_t m = chain_.segments();
+    if (chain_.closed) {
+      const std::size_t length = std::min(end - begin + 2 * wider, m - 2);  // its fixed ends lie outside
+      return {(begin + m - std::min(wider, m) - 1) % m + 1, length};
+    }
+    const std::size_t first = begin > wider ? begin - wider : 1;
+    return {first, std::min(end - 1 + wider, m) - first + 1};
+  }
+
+  /// Number `k` counted from the segment before the window, as a number of the chain, 0 to m + 1.
+  [[nodiscard]] std::size_t number(const Window& w, std::size_t k) const {
+    const std::size_t i = w.begin + k - 1;
+    return chain_.closed ? (i + chain_.segments() - 1) % chain_.segments() + 1 : i;
+  }
+
+  void solve_window(const Window& w, bool warm) {
+    Chain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .size = {}};
+    State state;
+    Setting setting{.form = std::vector<Form>(w.length + 2, Form::divided)};
+    for (std::size_t k = 0; k <= w.length + 1; ++k) {
+      const std::size_t i = number(w, k);
+      if (k <= w.length) {
+        part.chord.push_back(chain_.chord[i]);
+        state.x.push_back(solution_.state.x[i]);
+      }
+      part.a.push_back(chain_.a[i]);
+      part.size.push_back(chain_.size[i]);
+      state.e.push_back(solution_.state.e[i]);
+      setting.form[k] = solution_.setting.form[i];
+    }
+    Solution local = solve_chain(part, state, warm ? &setting : nullptr, false);
+    solution_.effort += local.effort;
+    if (!local.converged) return;
+    for (std::size_t k = 1; k <= w.length; ++k) {
+      const std::size_t i = number(w, k);
+      solution_.state.e[i] = local.state.e[k];
+      if (k < w.length) solution_.state.x[i] = local.state.x[k];
+      solution_.setting.form[i] = local.setting.form[k];
+    }
+    solution_.state.close(chain_);
+  }
+
+  void finish() {
+    Newton newton(system_);
+    solution_.effort.newton += newton.run(solution_.state, solution_.setting, last_newton_steps, 0.1 * accuracy).steps;
+    check();
+  }
+
+  const Chain& chain_;
+  System system_;
+  Solution solution_;
+  Values values_;
+  std::vector<bool> open_;
+};
+
+}  // namespace
+
+Solution solve_in_windows(const Chain& chain) { return WindowSolver(chain).solve(); }
+
+}  // namespace kappabench::kappa
