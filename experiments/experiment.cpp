@@ -6,11 +6,17 @@
 #include <stdexcept>
 
 #include "experiments/compare.hpp"
+#include "experiments/ekappa_bases.hpp"
+#include "experiments/ekappa_inflection.hpp"
+#include "experiments/ekappa_pinned.hpp"
+#include "experiments/ekappa_trig_minima.hpp"
+#include "experiments/ekappa_iterations.hpp"
 
 namespace kappabench {
 
 std::span<const Experiment> all_experiments() {
-  static const std::vector<Experiment> experiments{compare_experiment()};
+  static const std::vector<Experiment> experiments{ekappa_inflection_experiment(), ekappa_bases_experiment(), ekappa_pinned_experiment(),
+                                                   ekappa_trig_minima_experiment(), ekappa_iterations_experiment(), compare_experiment()};
   return experiments;
 }
 

@@ -100,7 +100,13 @@ std::vector<double> inflection_positions(const Curve& curve, const ArcMap& arcs)
     if (first == 0) first = start;
   }
   if (curve.closed() && before != first) positions.push_back(arcs.length());
-  return cancel_pairs(positions, rounding * arcs.length());
+  const double close = rounding * arcs.length();
+  for (double& s : positions) {  // both sides of the closure are one place
+    if (curve.closed() && s >= arcs.length() - close) s -= arcs.length();
+  }
+  std::vector<double> kept = cancel_pairs(positions, close);
+  for (double& s : kept) s = std::max(0.0, s);
+  return kept;
 }
 
 std::vector<double> cusp_positions(const Curve& curve, const ArcMap& arcs) {

@@ -10,8 +10,10 @@ namespace {
 
 constexpr double least_softness = 1e-9, most_softness = 1e4;
 constexpr double first_length = 0.3, shortest_length = 1e-5;
-constexpr double longest_in_log = 2.0;  ///< of one step in log softness
-constexpr double tolerance = 1e-6;      ///< to which each point of the path is solved
+constexpr double longest_in_log = 2.0;      ///< of one step in log softness
+constexpr double tolerance = 1e-6;          ///< to which each point of the path is solved
+constexpr double least_cosine = 0.8;        ///< between the directions of neighbouring points
+constexpr double largest_correction = 0.2;  ///< relative to the step
 constexpr int corrections = 8, easy_corrections = 3;
 constexpr double difference = 1e-4;  ///< step of the numerical derivative by log softness
 
@@ -40,6 +42,16 @@ double Continuation::product(const Tangent& along, int column) const {
   return sum;
 }
 
+double Continuation::length(double by_log, double equations) const {
+  const Chain& chain = system_->chain();
+  double sum = by_log * by_log;
+  for (std::size_t i = 1; i <= chain.segments(); ++i) {
+    const Right4 c = right_[i - 1] * Vec2(equations, by_log);
+    sum += c.head<2>().squaredNorm() / (chain.size[i] * chain.size[i]) + c(2) * c(2);
+  }
+  return std::sqrt(sum);
+}
+
 bool Continuation::solve(const State& state, const Setting& setting, const Values& values) {
   ++solves_;
   system_->linearise(state, setting, values, jacobian_, residuals_);
@@ -56,22 +68,23 @@ bool Continuation::solve(const State& state, const Setting& setting, const Value
   return solver_.solve(jacobian_, right_);
 }
 
-bool Continuation::tangent(const State& state, const Setting& setting, const Values& values, Tangent& to) {
+bool Continuation::tangent(const State& state, const Setting& setting, const Values& values, const Tangent& before,
+                           Tangent& to) {
   if (!solve(state, setting, values)) return false;
-  Tangent next;
-  next.by_log = 1.0;
-  for (const Right& r : right_) next.by_point.push_back(r.col(1));
-  const double length = std::sqrt(1.0 + product(next, 1));
-  const double way = to.by_point.empty() ? to.by_log : product(to, 1) + to.by_log;
-  const double scale = (way < 0.0 ? -1.0 : 1.0) / length;
-  next.by_log *= scale;
-  for (Right4& r : next.by_point) r *= scale;
-  to = std::move(next);
-  return std::isfinite(length);
+  const double norm = length(1.0, 0.0);
+  if (!std::isfinite(norm)) return false;
+  // Onwards: the same way as the last step.
+  const double way = before.by_point.empty() ? before.by_log : product(before, 1) + before.by_log;
+  const double scale = (way < 0.0 ? -1.0 : 1.0) / norm;
+  to.cosine = std::abs(way) / norm;
+  to.by_log = scale;
+  to.by_point.clear();
+  for (const Right& r : right_) to.by_point.push_back(scale * r.col(1));
+  return true;
 }
 
 /// Newton across the path until the equations hold; the number of corrections, or -1.
-int Continuation::correct(State& state, Setting& setting, const Tangent& along) {
+int Continuation::correct(State& state, Setting& setting, const Tangent& along, double step) {
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= corrections; ++i) {
     system_->evaluate(state, setting, values_);
@@ -79,7 +92,8 @@ int Continuation::correct(State& state, Setting& setting, const Tangent& along) 
     if (!(values_.residual < 2.0 * before) || i == corrections || !solve(state, setting, values_)) return -1;
     before = values_.residual;
     const double by_log = -product(along, 0) / (along.by_log + product(along, 1));
-    if (!(std::abs(by_log) < longest_in_log)) return -1;
+    // A large correction means that the path has bent away, or that another one is nearer.
+    if (!(length(by_log, 1.0) < largest_correction * step)) return -1;
     add(
         system_->chain(), 1.0, [&](std::size_t k) -> Right4 { return right_[k - 1] * Vec2(1.0, by_log); }, state);
     setting.softness *= std::exp(by_log);
@@ -92,27 +106,29 @@ long Continuation::follow(const State& start, const Setting& start_setting, bool
   solves_ = 0;
   State state = start;
   Setting setting = start_setting;
-  Tangent along{.by_point = {}, .by_log = down ? -1.0 : 1.0};
+  Tangent along, next;
   system_->evaluate(state, setting, values_);
-  if (!tangent(state, setting, values_, along)) return solves_;
-  double length = first_length;
-  while (solves_ < most && length > shortest_length) {
-    const double step = std::min(length, longest_in_log / std::abs(along.by_log));
+  if (!tangent(state, setting, values_, {.by_point = {}, .by_log = down ? -1.0 : 1.0}, along)) return solves_;
+  double reach = first_length;
+  while (solves_ < most && reach > shortest_length) {
+    const double step = std::min(reach, longest_in_log / std::abs(along.by_log));
     State trial = state;
     Setting trial_setting = setting;
     add(
         system_->chain(), step, [&](std::size_t k) -> const Right4& { return along.by_point[k - 1]; }, trial);
     trial_setting.softness *= std::exp(step * along.by_log);
-    const int corrected = correct(trial, trial_setting, along);
-    if (corrected < 0) {
-      length = 0.5 * step;
+    const int corrected = correct(trial, trial_setting, along, step);
+    // A path that turns sharply within one step would be followed back to where it came from.
+    if (corrected < 0 || !tangent(trial, trial_setting, values_, along, next) || next.cosine < least_cosine) {
+      reach = 0.5 * step;
       continue;
     }
     state = std::move(trial);
     setting.softness = trial_setting.softness;
+    std::swap(along, next);
     if (setting.softness < least_softness || setting.softness > most_softness) break;
-    if (visit(state, values_, setting.softness) || !tangent(state, setting, values_, along)) break;
-    length = corrected <= easy_corrections ? 2.0 * step : step;
+    if (visit(state, values_, setting.softness)) break;
+    reach = corrected <= easy_corrections ? 2.0 * step : step;
   }
   return solves_;
 }

@@ -23,18 +23,22 @@ class Continuation {
  private:
   using Right = BlockRight<4, 2>;
 
-  /// One step's direction, by point and in log softness, of unit length where e counts in units of the point's size.
+  /// A direction, by point and in log softness, of unit length where e counts in units of the point's size.
   struct Tangent {
     std::vector<Right4> by_point;
     double by_log = 0.0;
+    double cosine = 1.0;  ///< with the direction before
   };
 
   /// Newton's step for the equations alone and the response to log softness, as the two columns of `right_`.
   [[nodiscard]] bool solve(const State& state, const Setting& setting, const Values& values);
-  /// The direction of the path, onwards from `to`, into `to`.
-  [[nodiscard]] bool tangent(const State& state, const Setting& setting, const Values& values, Tangent& to);
-  [[nodiscard]] int correct(State& state, Setting& setting, const Tangent& along);
+  /// The direction of the path, onwards from `before`; of that only `by_log` counts if it has no points.
+  [[nodiscard]] bool tangent(const State& state, const Setting& setting, const Values& values, const Tangent& before,
+                             Tangent& to);
+  [[nodiscard]] int correct(State& state, Setting& setting, const Tangent& along, double step);
   [[nodiscard]] double product(const Tangent& along, int column) const;
+  /// Of the combination equations * (first column) + by_log * (second column), and by_log.
+  [[nodiscard]] double length(double by_log, double equations) const;
 
   const System* system_;
   Values values_, shifted_;

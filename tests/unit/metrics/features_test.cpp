@@ -150,3 +150,19 @@ TEST_CASE("crossings agree with those of a fine polygon on random curves", "[fea
   }
   CHECK(total > 150);
 }
+
+TEST_CASE("inflections of a closed eight are found at the closure as well", "[features]") {
+  // Two lobes that bend to opposite sides and meet, smoothly, in the crossing.
+  const SegmentPtr right = bezier({{0, 0}, {4, 4}, {4, -4}, {0, 0}});
+  const SegmentPtr left = bezier({{0, 0}, {-4, 4}, {-4, -4}, {0, 0}});
+  const Curve eight({right, left}, {{0, Continuity::g1}, {1, Continuity::g1}}, {{0, 0, 0.5}, {1, 1, 0.5}}, true);
+  const ArcMap arcs(eight);
+  const std::vector<double> found = inflection_positions(eight, arcs);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0] == 0.0);
+  CHECK(found[1] == Approx(0.5 * arcs.length()));
+  CHECK(value(fit_of(eight), "features", "inflections_at_joints") == 2.0);
+  // The crossing is at the joints, passed twice.
+  CHECK(value(fit_of(eight), "features", "loops") == 1.0);
+  CHECK(value(fit_of(eight), "features", "loops_at_joints") == 1.0);
+}
