@@ -6,17 +6,33 @@
 #include <stdexcept>
 
 #include "experiments/compare.hpp"
+#include "experiments/ekappa_added_points.hpp"
+#include "experiments/ekappa_applicability.hpp"
 #include "experiments/ekappa_bases.hpp"
+#include "experiments/ekappa_global_shape.hpp"
 #include "experiments/ekappa_inflection.hpp"
-#include "experiments/ekappa_pinned.hpp"
-#include "experiments/ekappa_trig_minima.hpp"
 #include "experiments/ekappa_iterations.hpp"
+#include "experiments/ekappa_local_shape.hpp"
+#include "experiments/ekappa_pinned.hpp"
+#include "experiments/ekappa_timing.hpp"
+#include "experiments/ekappa_trig_minima.hpp"
+#include "experiments/scaling.hpp"
 
 namespace kappabench {
 
 std::span<const Experiment> all_experiments() {
-  static const std::vector<Experiment> experiments{ekappa_inflection_experiment(), ekappa_bases_experiment(), ekappa_pinned_experiment(),
-                                                   ekappa_trig_minima_experiment(), ekappa_iterations_experiment(), compare_experiment()};
+  static const std::vector<Experiment> experiments{ekappa_added_points_experiment(),
+                                                   ekappa_global_shape_experiment(),
+                                                   ekappa_local_shape_experiment(),
+                                                   ekappa_inflection_experiment(),
+                                                   ekappa_bases_experiment(),
+                                                   ekappa_pinned_experiment(),
+                                                   ekappa_trig_minima_experiment(),
+                                                   ekappa_iterations_experiment(),
+                                                   ekappa_applicability_experiment(),
+                                                   ekappa_timing_experiment(),
+                                                   compare_experiment(),
+                                                   scaling_experiment()};
   return experiments;
 }
 

@@ -93,8 +93,19 @@ Interval axis_range(const Numbers& values, bool log) {
   return {std::pow(10.0, decades.from), std::pow(10.0, decades.to)};
 }
 
+/// 1, 2 or 5 times a power of ten, so that at most five fit: more numbers run into each other under a narrow panel.
+double tic_step(Interval range) {
+  const double least = range.size() / 5.0, power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10.0 * power;
+}
+
 void set_axis(Panel& drawn, const std::string& axis, bool log, Interval range) {
-  if (!log) return;
+  if (!log) {
+    if (axis == "x") drawn.setup.push_back(fmt::format("set xtics {:g}", tic_step(range)));
+    return;
+  }
   drawn.setup.push_back("set logscale " + axis);
   const bool plain = range.from >= 1e-2 && range.to <= 1e5;
   drawn.setup.push_back(fmt::format("set format {} '{}'", axis, plain ? "%g" : "10^{%T}"));
@@ -206,7 +217,7 @@ Panel draw_graph(const PanelRecord& panel, const Context& context, DataFile& dat
       fmt::format("set ylabel {} noenhanced", quoted(panel.y_label.empty() ? y_head : panel.y_label))};
   drawn.range = {axis_range(lines.all_x, log_x), axis_range(lines.all_y, panel.log_y)};
   if (!x.names.empty()) name_places(drawn, x.names);
-  set_axis(drawn, "x", log_x, drawn.range.x);
+  if (x.names.empty()) set_axis(drawn, "x", log_x, drawn.range.x);
   set_axis(drawn, "y", panel.log_y, drawn.range.y);
   if (lines.left_out > 0) {
     remark(drawn, fmt::format("{} of {} points are undefined and not shown", lines.left_out,

@@ -41,6 +41,12 @@ bool at_minimum(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q,
   return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
 }
 
+/// An open curve starts and ends at input points, where no segment is to peak.
+void add_end_nodes(const Input& input, int segments, std::vector<Node>& nodes) {
+  nodes.insert(nodes.begin(), {.point = 0, .segment = 0, .t = 0.0});
+  nodes.push_back({.point = input.size() - 1, .segment = segments - 1, .t = 1.0});
+}
+
 }  // namespace
 
 Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
@@ -106,6 +112,7 @@ Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, con
     joints.push_back({static_cast<int>(k), product < 0 ? Continuity::g1_equal_magnitude : Continuity::g2});
     counters["s_joints"] += product < 0;
   }
+  if (!input.closed) add_end_nodes(input, static_cast<int>(segments.size()), nodes);
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};
 }
 
@@ -124,6 +131,7 @@ Curve straight_line(const Input& input) {
     if (i + 2 < n) joints.push_back({number, Continuity::g2});
     start = end;
   }
+  add_end_nodes(input, static_cast<int>(segments.size()), nodes);
   return Curve(std::move(segments), std::move(joints), std::move(nodes), false);
 }
 

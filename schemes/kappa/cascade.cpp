@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "schemes/kappa/continuation.hpp"
 #include "schemes/kappa/pins.hpp"
@@ -20,10 +22,14 @@ struct Attempt {
   long most_iterations;  ///< before giving up
 };
 
-constexpr std::array attempts{
+constexpr std::array cubic_attempts{
     Attempt{3, 1.0, Form::direct, 1e-2, false, 150}, Attempt{3, 1.0, Form::direct, 1e-3, false, 1000},
     Attempt{3, 1.0, Form::divided, 0.1, true, 1000}, Attempt{0, 3.0, Form::direct, 1e-4, false, 1000},
     Attempt{40, 0.3, Form::divided, 0.1, true, 1000}};
+/// |kappa| of a trigonometric segment may have several peaks, between which the direct form jumps.
+constexpr std::array trigonometric_attempts{Attempt{3, 0.3, Form::divided, 0.1, true, 60},
+                                            Attempt{3, 1.0, Form::divided, 0.1, true, 200},
+                                            Attempt{40, 0.3, Form::divided, 0.1, true, 200}};
 
 /// Attempts by arc length: softness of peaks to begin with, that of areas relative to it, and whether to set out
 /// towards less or more softness. A branch that begins at a fold is left by going up first.
@@ -54,23 +60,32 @@ class Cascade {
     tracing_ = trace;
   }
 
-  Solution solve(const State& start, const Setting* near) {
-    solution_.state = start;
-    solution_.residual = residual_of(system_, start, values_);
-    record(start);
-    if (near != nullptr && exact(start, *near, false)) return std::move(solution_);
-    for (const Attempt& attempt : attempts) {
-      ++solution_.effort.attempts;
-      if (follow(attempt, start)) return std::move(solution_);
-    }
-    for (const FoldAttempt& attempt : fold_attempts) {
-      ++solution_.effort.attempts;
-      if (follow_round_folds(attempt, start)) break;
-    }
+  Solution solve(const State& start, const Setting* near, Patience patience) {
+    try_all(start, near, patience);
+    solution_.iterations = static_cast<double>(solution_.effort.iterations());
     return std::move(solution_);
   }
 
  private:
+  void try_all(const State& start, const Setting* near, Patience patience) {
+    solution_.state = start;
+    solution_.residual = residual_of(system_, start, values_);
+    record(start);
+    if (near != nullptr && exact(start, *near, false)) return;
+    const std::span<const Attempt> attempts = chain_.basis == BasisKind::cubic
+                                                  ? std::span<const Attempt>(cubic_attempts)
+                                                  : std::span<const Attempt>(trigonometric_attempts);
+    for (const Attempt& attempt : patience == Patience::all ? attempts : attempts.first(2)) {
+      ++solution_.effort.attempts;
+      if (follow(attempt, start)) return;
+    }
+    if (patience != Patience::all) return;
+    for (const FoldAttempt& attempt : fold_attempts) {
+      ++solution_.effort.attempts;
+      if (follow_round_folds(attempt, start)) return;
+    }
+  }
+
   void record(const State& state) {
     if (tracing_) solution_.trace.push_back(residual_of(system_, state, values_));
   }
@@ -199,8 +214,8 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
-Solution solve_chain(const Chain& chain, const State& start, const Setting* near, bool trace) {
-  return Cascade(chain, trace).solve(start, near);
+Solution solve_chain(const Chain& chain, const State& start, const Setting* near, Patience patience, bool trace) {
+  return Cascade(chain, trace).solve(start, near, patience);
 }
 
 }  // namespace kappabench::kappa

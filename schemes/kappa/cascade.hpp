@@ -23,8 +23,12 @@ struct Solution {
   bool converged = false;
   double residual = 0.0;  ///< residual_of(state)
   Effort effort;
+  double iterations = 0.0;    ///< sweeps and Newton steps that a point went through, on average
   std::vector<double> trace;  ///< residual_of before the first and after each iteration, when asked for
 };
+
+/// How much to try before giving up.
+enum class Patience { some, all };
 
 /// Residual below which a state is a solution.
 inline constexpr double accuracy = 1e-12;
@@ -32,6 +36,7 @@ inline constexpr double accuracy = 1e-12;
 /// Solves one chain as a whole: homotopies from a softened problem, from several starts and in several forms, until
 /// one arrives. `start` gives the values of the fixed ends and the first guess; when `near` is given it is near a
 /// solution with these forms, and Newton from there is tried first. Deterministic.
-[[nodiscard]] Solution solve_chain(const Chain& chain, const State& start, const Setting* near, bool trace);
+[[nodiscard]] Solution solve_chain(const Chain& chain, const State& start, const Setting* near, Patience patience,
+                                   bool trace);
 
 }  // namespace kappabench::kappa

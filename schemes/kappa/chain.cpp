@@ -1,11 +1,12 @@
 #include "schemes/kappa/chain.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace kappabench::kappa {
 
 Chain make_chain(std::span<const Vec2> points, std::span<const double> a, bool closed, BasisKind basis) {
-  Chain chain{.basis = basis, .closed = closed, .chord = {}, .a = {}, .size = {}};
+  Chain chain{.basis = basis, .closed = closed, .chord = {}, .a = {}, .end = {}, .size = {}};
   const std::size_t n = points.size();
   if (closed) {
     chain.chord.push_back(points[0] - points[n - 1]);
@@ -17,6 +18,7 @@ Chain make_chain(std::span<const Vec2> points, std::span<const double> a, bool c
     chain.chord.push_back(points[0] - points[n - 1]);
     chain.a.push_back(a[0]);
   }
+  for (const double value : chain.a) chain.end.push_back(std::log1p(-value) - 2.0 * std::log(value));
   chain.size.push_back(chain.chord.front().norm());
   for (std::size_t k = 0; k + 1 < chain.chord.size(); ++k)
     chain.size.push_back(0.5 * (chain.chord[k].norm() + chain.chord[k + 1].norm()));

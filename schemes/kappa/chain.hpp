@@ -21,6 +21,7 @@ struct Chain {
   bool closed = false;
   std::vector<Vec2> chord;   ///< m + 1: chord[k] = p_{k+1} - p_k
   std::vector<double> a;     ///< m + 2: sharpness
+  std::vector<double> end;   ///< m + 2: log((1 - a) / a^2), the constant of the end curvatures (Eqs. (8) and (26))
   std::vector<double> size;  ///< m + 2: mean length of the two chords at a point, to which lengths are relative
 
   [[nodiscard]] std::size_t segments() const { return chord.size() - 1; }

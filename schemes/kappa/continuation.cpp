@@ -10,10 +10,9 @@ namespace {
 
 constexpr double least_softness = 1e-9, most_softness = 1e4;
 constexpr double first_length = 0.3, shortest_length = 1e-5;
-constexpr double longest_in_log = 2.0;      ///< of one step in log softness
-constexpr double tolerance = 1e-6;          ///< to which each point of the path is solved
-constexpr double least_cosine = 0.8;        ///< between the directions of neighbouring points
-constexpr double largest_correction = 0.2;  ///< relative to the step
+constexpr double longest_in_log = 2.0;  ///< of one step in log softness
+constexpr double tolerance = 1e-6;      ///< to which each point of the path is solved
+constexpr double least_cosine = 0.8;    ///< between the directions of neighbouring points
 constexpr int corrections = 8, easy_corrections = 3;
 constexpr double difference = 1e-4;  ///< step of the numerical derivative by log softness
 
@@ -42,11 +41,11 @@ double Continuation::product(const Tangent& along, int column) const {
   return sum;
 }
 
-double Continuation::length(double by_log, double equations) const {
+double Continuation::response() const {
   const Chain& chain = system_->chain();
-  double sum = by_log * by_log;
+  double sum = 1.0;
   for (std::size_t i = 1; i <= chain.segments(); ++i) {
-    const Right4 c = right_[i - 1] * Vec2(equations, by_log);
+    const Right4 c = right_[i - 1].col(1);
     sum += c.head<2>().squaredNorm() / (chain.size[i] * chain.size[i]) + c(2) * c(2);
   }
   return std::sqrt(sum);
@@ -71,7 +70,7 @@ bool Continuation::solve(const State& state, const Setting& setting, const Value
 bool Continuation::tangent(const State& state, const Setting& setting, const Values& values, const Tangent& before,
                            Tangent& to) {
   if (!solve(state, setting, values)) return false;
-  const double norm = length(1.0, 0.0);
+  const double norm = response();
   if (!std::isfinite(norm)) return false;
   // Onwards: the same way as the last step.
   const double way = before.by_point.empty() ? before.by_log : product(before, 1) + before.by_log;
@@ -84,7 +83,7 @@ bool Continuation::tangent(const State& state, const Setting& setting, const Val
 }
 
 /// Newton across the path until the equations hold; the number of corrections, or -1.
-int Continuation::correct(State& state, Setting& setting, const Tangent& along, double step) {
+int Continuation::correct(State& state, Setting& setting, const Tangent& along) {
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= corrections; ++i) {
     system_->evaluate(state, setting, values_);
@@ -92,10 +91,9 @@ int Continuation::correct(State& state, Setting& setting, const Tangent& along, 
     if (!(values_.residual < 2.0 * before) || i == corrections || !solve(state, setting, values_)) return -1;
     before = values_.residual;
     const double by_log = -product(along, 0) / (along.by_log + product(along, 1));
-    // A large correction means that the path has bent away, or that another one is nearer.
-    if (!(length(by_log, 1.0) < largest_correction * step)) return -1;
-    add(
-        system_->chain(), 1.0, [&](std::size_t k) -> Right4 { return right_[k - 1] * Vec2(1.0, by_log); }, state);
+    if (!(std::abs(by_log) < longest_in_log)) return -1;
+    const auto correction = [&](std::size_t k) -> Right4 { return right_[k - 1] * Vec2(1.0, by_log); };
+    add(system_->chain(), 1.0, correction, state);
     setting.softness *= std::exp(by_log);
   }
   return -1;
@@ -114,10 +112,10 @@ long Continuation::follow(const State& start, const Setting& start_setting, bool
     const double step = std::min(reach, longest_in_log / std::abs(along.by_log));
     State trial = state;
     Setting trial_setting = setting;
-    add(
-        system_->chain(), step, [&](std::size_t k) -> const Right4& { return along.by_point[k - 1]; }, trial);
+    const auto onwards = [&](std::size_t k) -> const Right4& { return along.by_point[k - 1]; };
+    add(system_->chain(), step, onwards, trial);
     trial_setting.softness *= std::exp(step * along.by_log);
-    const int corrected = correct(trial, trial_setting, along, step);
+    const int corrected = correct(trial, trial_setting, along);
     // A path that turns sharply within one step would be followed back to where it came from.
     if (corrected < 0 || !tangent(trial, trial_setting, values_, along, next) || next.cosine < least_cosine) {
       reach = 0.5 * step;

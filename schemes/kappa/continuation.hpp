@@ -35,10 +35,10 @@ class Continuation {
   /// The direction of the path, onwards from `before`; of that only `by_log` counts if it has no points.
   [[nodiscard]] bool tangent(const State& state, const Setting& setting, const Values& values, const Tangent& before,
                              Tangent& to);
-  [[nodiscard]] int correct(State& state, Setting& setting, const Tangent& along, double step);
+  [[nodiscard]] int correct(State& state, Setting& setting, const Tangent& along);
   [[nodiscard]] double product(const Tangent& along, int column) const;
-  /// Of the combination equations * (first column) + by_log * (second column), and by_log.
-  [[nodiscard]] double length(double by_log, double equations) const;
+  /// Length of the response to log softness, with a unit of log softness.
+  [[nodiscard]] double response() const;
 
   const System* system_;
   Values values_, shifted_;

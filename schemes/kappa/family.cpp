@@ -93,6 +93,7 @@ Solution iterate_published(const Chain& chain, int most) {
     if (solution.converged || solution.effort.sweeps == most || !iteration.step(solution.state)) break;
     ++solution.effort.sweeps;
   }
+  solution.iterations = static_cast<double>(solution.effort.sweeps);
   for (std::size_t i = 1; i <= chain.segments(); ++i)
     solution.setting.form[i] = nearest_form(system, solution.state, values, i);
   return solution;
@@ -100,7 +101,7 @@ Solution iterate_published(const Chain& chain, int most) {
 
 Solution solve_by_newton(const Chain& chain) {
   if (chain.segments() > longest_whole_chain) return solve_in_windows(chain);
-  return solve_chain(chain, initial_state(chain), nullptr, true);
+  return solve_chain(chain, initial_state(chain), nullptr, Patience::all, true);
 }
 
 }  // namespace
@@ -123,7 +124,7 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
 
   Fit fit{.input = input, .curve = std::nullopt, .report = {}};
   Report& report = fit.report;
-  report.iterations = static_cast<int>(solution.effort.iterations());
+  report.iterations = static_cast<int>(std::lround(solution.iterations));
   report.residual = solution.residual;
   report.trace = solution.trace;
   report.outcome = solution.converged ? Outcome::converged : Outcome::not_converged;

@@ -118,9 +118,6 @@ PolygonLegs polygon_legs(const Chain& chain, const State& state, std::size_t i) 
   return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
 }
 
-/// log((1 - a) / a^2), the constant of the end curvatures (Miura 2022, Eqs. (8) and (26)).
-double log_end_factor(double a) { return std::log1p(-a) - 2.0 * std::log(a); }
-
 double area_floor(const Chain& chain, double softness, std::size_t i) {
   const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
   return std::max(softness, least_area) * scale;
@@ -228,8 +225,8 @@ void System::evaluate_bend(const State& state, double softness, Values& values) 
     const std::size_t j = chain.next(i);
     // log of kappa_i(1) / kappa_{i+1}(0), Eq. (8) with Delta_i+ = (1 - lambda_{i-1}) T_i and
     // Delta_{i+1}- = lambda_{i+1} T_{i+1}.
-    values.bend[i] = values.s[i] - values.s[j] + log_end_factor(chain.a[i]) - log_end_factor(chain.a[j]) -
-                     softplus(state.x[i - 1]) - 2.0 * state.x[i] + softplus(-state.x[j]);
+    values.bend[i] = values.s[i] - values.s[j] + chain.end[i] - chain.end[j] - softplus(state.x[i - 1]) -
+                     2.0 * state.x[i] + softplus(-state.x[j]);
   }
 }
 

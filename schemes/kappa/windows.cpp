@@ -8,13 +8,13 @@
 namespace kappabench::kappa {
 namespace {
 
-constexpr std::size_t core = 48;  ///< segments that a window of the first pass is responsible for
+constexpr std::size_t core = 64;  ///< segments that a window of the first pass is responsible for
 constexpr int rough_sweeps = 3;
 constexpr int last_newton_steps = 20;
 
 /// Further segments on each side of what a window is responsible for, pass by pass. The first pass covers the whole
 /// chain, later ones the spots that are still open; other widths give a spot that resisted other neighbours.
-constexpr std::array<std::size_t, 10> overlaps{20, 16, 10, 30, 6, 40, 14, 60, 24, 100};
+constexpr std::array<std::size_t, 10> overlaps{14, 20, 10, 30, 6, 40, 16, 60, 24, 100};
 
 /// Segments [begin, begin + length) of a chain, counted from 1, around the seam if the chain is closed.
 struct Window {
@@ -30,11 +30,13 @@ class WindowSolver {
 
   Solution solve() {
     PublishedIteration sweeps(system_);
-    solution_.effort.sweeps += sweeps.steps(solution_.state, rough_sweeps);
+    const int swept = sweeps.steps(solution_.state, rough_sweeps);
+    solution_.effort.sweeps += swept;
+    count(swept, chain_.segments());
     const std::size_t m = chain_.segments();
     check();
     for (std::size_t begin = 1; begin <= m; begin += core)
-      solve_window(around(begin, std::min(begin + core, m + 1), overlaps[0]), false);
+      solve_window(around(begin, std::min(begin + core, m + 1), overlaps[0]), 0);
     for (std::size_t pass = 1; pass < overlaps.size() && !check(); ++pass)
       for (std::size_t begin = 1; begin <= m;) {
         if (!open_[begin]) {
@@ -44,7 +46,7 @@ class WindowSolver {
         std::size_t end = begin + 1;  // one behind the last open segment of this spot
         for (std::size_t k = end; k <= m && k < end + overlaps[pass]; ++k)
           if (open_[k]) end = k + 1;
-        solve_window(around(begin, end, overlaps[pass]), true);
+        solve_window(around(begin, end, overlaps[pass]), pass);
         begin = end;
       }
     if (!solution_.converged) finish();
@@ -52,6 +54,10 @@ class WindowSolver {
   }
 
  private:
+  void count(double iterations, std::size_t segments) {
+    solution_.iterations += iterations * static_cast<double>(segments) / static_cast<double>(chain_.segments());
+  }
+
   /// Measures the state, and which segments' equations are still open.
   bool check() {
     solution_.residual = residual_of(system_, solution_.state, solution_.setting, values_);
@@ -79,8 +85,8 @@ class WindowSolver {
     return chain_.closed ? (i + chain_.segments() - 1) % chain_.segments() + 1 : i;
   }
 
-  void solve_window(const Window& w, bool warm) {
-    Chain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .size = {}};
+  void solve_window(const Window& w, std::size_t pass) {
+    Chain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .end = {}, .size = {}};
     State state;
     Setting setting{.form = std::vector<Form>(w.length + 2, Form::divided)};
     for (std::size_t k = 0; k <= w.length + 1; ++k) {
@@ -90,12 +96,15 @@ class WindowSolver {
         state.x.push_back(solution_.state.x[i]);
       }
       part.a.push_back(chain_.a[i]);
+      part.end.push_back(chain_.end[i]);
       part.size.push_back(chain_.size[i]);
       state.e.push_back(solution_.state.e[i]);
       setting.form[k] = solution_.setting.form[i];
     }
-    Solution local = solve_chain(part, state, warm ? &setting : nullptr, false);
+    const Patience patience = pass % 3 == 2 ? Patience::all : Patience::some;
+    Solution local = solve_chain(part, state, pass > 0 ? &setting : nullptr, patience, false);
     solution_.effort += local.effort;
+    count(local.iterations, w.length);
     if (!local.converged) return;
     for (std::size_t k = 1; k <= w.length; ++k) {
       const std::size_t i = number(w, k);

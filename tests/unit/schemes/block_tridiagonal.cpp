@@ -30,8 +30,8 @@ Example<Block, Columns> random_example(std::size_t n, bool cyclic, std::mt19937_
   x.dense = Eigen::MatrixXd::Zero(size, size);
   x.dense_right.resize(size, Columns);
   const auto at = [&](std::size_t row, std::size_t column) {
-    return x.dense.block<Block, Block>(static_cast<Eigen::Index>(row) * Block,
-                                       static_cast<Eigen::Index>(column) * Block);
+    return x.dense.template block<Block, Block>(static_cast<Eigen::Index>(row) * Block,
+                                                static_cast<Eigen::Index>(column) * Block);
   };
   for (std::size_t k = 0; k < n; ++k) {
     for (auto* entry : {&x.matrix.lower[k], &x.matrix.diagonal[k], &x.matrix.upper[k]})
@@ -55,8 +55,7 @@ void check_against_dense(bool cyclic) {
     if (Eigen::FullPivLU<Eigen::MatrixXd>(x.dense).rcond() < 1e-6) continue;
     REQUIRE(solver.solve(x.matrix, x.right));
     Eigen::MatrixXd solution(x.dense_right.rows(), Columns);
-    for (std::size_t k = 0; k < n; ++k)
-      solution.middleRows(static_cast<Eigen::Index>(k) * Block, Block) = x.right[k];
+    for (std::size_t k = 0; k < n; ++k) solution.middleRows(static_cast<Eigen::Index>(k) * Block, Block) = x.right[k];
     INFO("block " << Block << ", n " << n << ", cyclic " << cyclic);
     CHECK((x.dense * solution - x.dense_right).norm() <= 1e-12 * (1.0 + solution.norm()));
   }

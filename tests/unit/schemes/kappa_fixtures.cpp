@@ -99,10 +99,11 @@ TEST_CASE("linear trigonometric segments with an acute turn have a curvature min
   CHECK(curvature(segment.jet(1.0, 2)) == Approx(0.7071067811865475).epsilon(1e-13));
 
   // Through the scheme: the point of that parameter is interpolated and the minimum is named.
-  const Fit result = fit("ekappa-trig:a=0.5", {.points = {{0, 0}, segment.jet(0.3524163823495667, 0).position(), {3, 1}},
-                                               .closed = false,
-                                               .options = {},
-                                               .ids = {}});
+  const Fit result =
+      fit("ekappa-trig:a=0.5", {.points = {{0, 0}, segment.jet(0.3524163823495667, 0).position(), {3, 1}},
+                                .closed = false,
+                                .options = {},
+                                .ids = {}});
   REQUIRE(result.report.outcome == Outcome::converged);
   CHECK(result.curve->nodes().front().t == Approx(0.3524163823495667).epsilon(1e-12));
   CHECK(result.curve->nodes().front().curvature_minimum);
@@ -112,15 +113,14 @@ TEST_CASE("linear trigonometric segments with an acute turn have a curvature min
 TEST_CASE("a symmetric trigonometric segment of small turn peaks at its ends", "[kappa]") {
   const double a = 0.55, half = std::numbers::pi / 8.0;  // unit legs, turning 45 degrees
   const Vec2 c0(-std::cos(half), -std::sin(half)), c1(0, 0), c2(std::cos(half), -std::sin(half));
-  const TrigonometricSegment segment({c0, (1 - a) * c0 + a * c1, 0.5 * (1 - a) * (c0 + c2) + a * c1,
-                                      a * c1 + (1 - a) * c2, c2});
+  const TrigonometricSegment segment(
+      {c0, (1 - a) * c0 + a * c1, 0.5 * (1 - a) * (c0 + c2) + a * c1, a * c1 + (1 - a) * c2, c2});
   CHECK(std::abs(curvature(segment.jet(0.0, 2))) == Approx(0.5259471926180932).epsilon(1e-13));
   CHECK(std::abs(curvature(segment.jet(0.25, 2))) == Approx(0.400157429385416).epsilon(1e-13));
   CHECK(std::abs(curvature(segment.jet(0.5, 2))) == Approx(0.3795169331786764).epsilon(1e-13));
-  const Fit result = fit("ekappa-trig:a=0.55", {.points = {c0, segment.jet(0.5, 0).position(), c2},
-                                                .closed = false,
-                                                .options = {},
-                                                .ids = {}});
+  const Fit result =
+      fit("ekappa-trig:a=0.55",
+          {.points = {c0, segment.jet(0.5, 0).position(), c2}, .closed = false, .options = {}, .ids = {}});
   REQUIRE(result.report.outcome == Outcome::converged);
   CHECK(result.curve->nodes().front().t == Approx(0.5).margin(1e-12));
   CHECK(result.curve->nodes().front().curvature_minimum);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/drawing.hpp"
+#include "datasets/random_points.hpp"
+#include "experiments/cell.hpp"
+#include "experiments/experiment.hpp"
+
+namespace kappabench {
+
+// Fits of many curves by one scheme of the kappa family, counted in one cell. The curves themselves are not kept:
+// random inputs come back from their seeds, drawings from their files.
+
+/// What |kappa| does where a curve passes a point, judged by the slope of |kappa| on both sides of it and by
+/// nothing that the scheme says. `sides` is how far to step, as a part of the way to the segment's ends.
+enum class AtPoint { peak, valley, passes };
+[[nodiscard]] AtPoint curvature_at(const Curve& curve, const Node& node, double sides = 0.05);
+
+/// Columns of a sweep's cell (CellRecord::measurements). All counts but `a`:
+/// "a"; "curves", "converged", "unsupported", "straight" (all points on one line: no curvature to speak of);
+/// over the curves that converged and are not straight: "points" other than the ends of open curves, "pinned", "at
+/// inflection" and "minima" by the scheme's report, "peaks", "valleys" and "neither" by curvature_at, "pinned peaks":
+/// pinned points where |kappa| nevertheless has a peak at the joint. A sweep over drawings has "points of ID", "pinned
+/// of ID", "at inflection of ID" and "minima of ID" besides.
+
+/// An open and a closed curve of a random family for each entry of `sizes`; sizes may come several times.
+[[nodiscard]] CellJob random_sweep_job(RandomKind kind, const SchemePtr& scheme, std::uint64_t seed,
+                                       const std::vector<int>& sizes);
+
+/// All curves of the drawings.
+[[nodiscard]] CellJob drawings_sweep_job(std::string dataset, const std::vector<Drawing>& drawings,
+                                         const SchemePtr& scheme);
+
+/// The drawings without their curves of more than `most` points.
+[[nodiscard]] std::vector<Drawing> without_long_curves(std::vector<Drawing> drawings, int most);
+
+/// For every scheme a sweep over the built-in drawings ("drawings"; curves of at most 100 points) and one over each
+/// random family: two rounds, one of the slower trigonometric basis. If the context names datasets, a sweep over each
+/// of them instead: "random:uneven:n=12,count=1000" makes a family of its own.
+[[nodiscard]] std::vector<CellJob> sweep_jobs(const Context& context, const std::vector<SchemePtr>& schemes);
+
+/// ekappa with each a of `bernstein`, ekappa-trig with each a of `trigonometric`; or what the context asks for.
+[[nodiscard]] std::vector<SchemePtr> sharpness_ladder(const Context& context);
+
+/// The drawings without what they say about single points (a, type, ...).
+[[nodiscard]] std::vector<Drawing> without_options(std::vector<Drawing> drawings);
+
+/// Every point of the drawings as text, for the keys of cells.
+[[nodiscard]] std::string contents_of(const std::vector<Drawing>& drawings);
+
+}  // namespace kappabench
