@@ -194,6 +194,10 @@ std::vector<Drawing> drawings_of(const Context& context) {
   if (context.datasets.empty()) return builtin_drawings();
   std::vector<Drawing> drawings;
   for (const std::string& name : context.datasets) std::ranges::move(open_drawings(name), std::back_inserter(drawings));
+  // Two folders may each hold a bird: the second one is bird-2.
+  std::map<std::string, int> seen;
+  for (Drawing& drawing : drawings)
+    if (const int count = ++seen[drawing.id]; count > 1) drawing.id += fmt::format("-{}", count);
   return drawings;
 }
 

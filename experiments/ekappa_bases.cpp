@@ -284,7 +284,7 @@ store::FigureRecord numbers_figure() {
   return {.id = "ekappa-bases-numbers",
           .title = "Roundness of both families against a",
           .caption =
-              "Medians over the curves of all drawings. Left: largest over mean |κ|. Right: distance from the "
+              "Medians over the curves of up to 100 points. Left: largest over mean |κ|. Right: distance from the "
               "polygon of the points, and between the two families at the same a, over the mean chord.",
           .columns = 2,
           .panels = {graph("families", "peak over mean", "family", "peak over mean |κ|"),
@@ -309,7 +309,8 @@ store::ClaimRecord rounder_claim(const store::ExperimentRecord& record) {
       "trigonometric-rounder", verdict_in_general(peak.smaller, peak.cases),
       fmt::format("smaller peak over mean |κ| on {} curves; medians {}", share(peak.smaller, peak.cases), medians),
       fmt::format(
-          "Curves of all drawings at a = 0.75 and 0.9, same points and same a. Total variation of κ is smaller on "
+          "Curves of up to 100 points of all drawings at a = 0.75 and 0.9, same points and same a. Total variation of "
+          "κ is smaller on "
           "{}, and the curve is farther from the polygon on {}. What is rounder is the trigonometric curve with a "
           "smaller a: against the κ-curve, its peak over mean is smaller on {} curves at a = 0.55 and {} at 0.6.",
           share(variation.smaller, variation.cases), share(polygon.cases - polygon.smaller, polygon.cases),
@@ -339,7 +340,8 @@ store::ClaimRecord approach_claim(const store::ExperimentRecord& record) {
       fmt::format("median distance between the families {}; to the polygon {} (Bernstein), {} (trigonometric)",
                   medians(apart(record, from), apart(record, to)), to_polygon(bernstein),
                   to_polygon(trigonometric_family)),
-      fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of all drawings, distances over the mean chord: the "
+      fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of up to 100 points of all drawings, distances over the "
+                  "mean chord: the "
                   "distance between the families shrinks in {} steps, that to the polygon in {}. The verdict is "
                   "that of the weaker part.",
                   share(between.smaller, between.cases), share(polygon.smaller, polygon.cases)));

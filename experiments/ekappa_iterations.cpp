@@ -191,8 +191,8 @@ store::FigureRecord trace_figure(const store::ExperimentRecord& record) {
       .id = "ekappa-iterations",
       .title = "Residual against steps: published iteration and Newton cascade",
       .caption =
-          "kappa-curves (a = 2/3). The published iteration runs for 2000 steps or until it is solved; the "
-          "cascade starts with some of its steps, then continues with Newton's.",
+          "kappa-curves (a = 2/3). The published iteration is cut off after 100 steps. The cascade comes "
+          "through softened problems, so its residual need not fall from the start.",
       .columns = 2,
       .panels = {}};
   for (const std::string_view id : shown) {

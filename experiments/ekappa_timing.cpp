@@ -24,7 +24,8 @@ constexpr std::string_view about =
     "trigonometric one, on a machine and with a number of samples that it does not name. Here a bear drawn for this "
     "program is fitted, and fitted and drawn (100 positions a segment), by each basis with the published iteration at "
     "its usual 50 steps and with the Newton cascade. All are timed in one process, samples in random order, by Google "
-    "Benchmark; only ratios to the kappa-curve's median are compared. When several cells run at once, or the machine "
+    "Benchmark, in processor time; only ratios to the kappa-curve's median are compared. When several cells run at "
+    "once, or the machine "
     "is busy, the samples scatter more: the interval of each ratio (95 %, bootstrap over the samples) shows it.";
 
 constexpr int version = 1;
@@ -78,7 +79,7 @@ void time_drawing(const Drawing& drawing, const std::vector<Work>& works, store:
     cell.measurements.push_back({"steps, " + work.key, static_cast<double>(work_on(drawing, work)), "exact", "1"});
     timed_works.push_back({work.key, [&drawing, &work] { (void)work_on(drawing, work); }});
   }
-  cell.timings = time_all(timed_works, {.repetitions = 12, .least_seconds = 0.02});
+  cell.timings = time_all(timed_works, {.repetitions = 12, .least_seconds = 0.01});
 }
 
 std::vector<CellJob> jobs(const Context& context) {

@@ -38,11 +38,11 @@ enum class AtPoint { peak, valley, passes };
 [[nodiscard]] std::vector<Drawing> without_long_curves(std::vector<Drawing> drawings, int most);
 
 /// For every scheme a sweep over the built-in drawings ("drawings"; curves of at most 100 points) and one over each
-/// random family: two rounds, one of the slower trigonometric basis. If the context names datasets, a sweep over each
-/// of them instead: "random:uneven:n=12,count=1000" makes a family of its own.
+/// random family, 3 to 50 points (trigonometric basis: to 15). If the context names datasets, a sweep over each of
+/// them instead: "random:uneven:n=12,count=1000" makes a family of its own.
 [[nodiscard]] std::vector<CellJob> sweep_jobs(const Context& context, const std::vector<SchemePtr>& schemes);
 
-/// ekappa with each a of `bernstein`, ekappa-trig with each a of `trigonometric`; or what the context asks for.
+/// The schemes that the context asks for; by default ekappa with a from 2/3 to 0.95 and ekappa-trig from 0.5 to 0.9.
 [[nodiscard]] std::vector<SchemePtr> sharpness_ladder(const Context& context);
 
 /// The drawings without what they say about single points (a, type, ...).

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <array>
+#include <ctime>
 #include <ostream>
 
 namespace kappabench {
@@ -25,7 +26,7 @@ class Collector final : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
       if (run.run_type == Run::RT_Iteration)
-        samples_[run.run_name.function_name].push_back(run.real_accumulated_time / static_cast<double>(run.iterations));
+        samples_[run.run_name.function_name].push_back(run.cpu_accumulated_time / static_cast<double>(run.iterations));
   }
 
   [[nodiscard]] const Samples& samples() const { return samples_; }
@@ -54,7 +55,7 @@ Samples time_all(std::span<const TimedWork> works, const TimingOptions& options)
                                  [&work](benchmark::State& state) {
                                    for ([[maybe_unused]] auto once : state) work.run();
                                  })
-        ->UseRealTime()
+        ->MeasureProcessCPUTime()
         ->MinTime(options.least_seconds)
         ->Repetitions(options.repetitions)
         ->ReportAggregatesOnly(false);
@@ -64,6 +65,8 @@ Samples time_all(std::span<const TimedWork> works, const TimingOptions& options)
   interleave_at_random(false);
   return collector.samples();
 }
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double peak_resident_bytes() {
   rusage usage{};

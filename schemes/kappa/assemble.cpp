@@ -1,5 +1,6 @@
 #include "schemes/kappa/assemble.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -39,6 +40,11 @@ struct Piece {
 bool at_minimum(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
   const double step = 1e-4 * last_parameter(chain.basis);
   return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
+}
+
+bool same_magnitude(const Segment& before, const Segment& after) {
+  const double k0 = std::abs(curvature(before.jet(1.0, 2))), k1 = std::abs(curvature(after.jet(0.0, 2)));
+  return std::abs(k0 - k1) <= 1e-9 * std::max(k0, k1);
 }
 
 /// An open curve starts and ends at input points, where no segment is to peak.
@@ -108,9 +114,14 @@ Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, con
   }
   const std::size_t count = pieces.size(), met = input.closed ? count : count - 1;
   for (std::size_t k = 0; k < met; ++k) {
-    const int product = pieces[k].sign * pieces[(k + 1) % count].sign;
-    joints.push_back({static_cast<int>(k), product < 0 ? Continuity::g1_equal_magnitude : Continuity::g2});
-    counters["s_joints"] += product < 0;
+    const std::size_t after = (k + 1) % count;
+    const bool s_shaped = pieces[k].sign * pieces[after].sign < 0;
+    counters["s_joints"] += s_shaped;
+    Continuity claimed = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
+    // A segment that shrank in between may have turned from one curvature to another.
+    if (chain.next(pieces[k].number) != pieces[after].number && !same_magnitude(*segments[k], *segments[after]))
+      claimed = Continuity::g1;
+    joints.push_back({static_cast<int>(k), claimed});
   }
   if (!input.closed) add_end_nodes(input, static_cast<int>(segments.size()), nodes);
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};

@@ -27,9 +27,9 @@ constexpr std::array cubic_attempts{
     Attempt{3, 1.0, Form::divided, 0.1, true, 1000}, Attempt{0, 3.0, Form::direct, 1e-4, false, 1000},
     Attempt{40, 0.3, Form::divided, 0.1, true, 1000}};
 /// |kappa| of a trigonometric segment may have several peaks, between which the direct form jumps.
-constexpr std::array trigonometric_attempts{Attempt{3, 0.3, Form::divided, 0.1, true, 60},
-                                            Attempt{3, 1.0, Form::divided, 0.1, true, 200},
-                                            Attempt{40, 0.3, Form::divided, 0.1, true, 200}};
+constexpr std::array trigonometric_attempts{
+    Attempt{3, 0.3, Form::divided, 0.1, true, 60}, Attempt{3, 1.0, Form::divided, 0.1, true, 200},
+    Attempt{40, 0.3, Form::divided, 0.1, true, 200}, Attempt{3, 1.0, Form::direct, 1e-3, false, 300}};
 
 /// Attempts by arc length: softness of peaks to begin with, that of areas relative to it, and whether to set out
 /// towards less or more softness. A branch that begins at a fold is left by going up first.
@@ -69,6 +69,7 @@ class Cascade {
  private:
   void try_all(const State& start, const Setting* near, Patience patience) {
     solution_.state = start;
+    solution_.setting = uniform_setting(chain_, Form::divided);
     solution_.residual = residual_of(system_, start, values_);
     record(start);
     if (near != nullptr && exact(start, *near, false)) return;

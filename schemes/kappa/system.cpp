@@ -118,6 +118,9 @@ PolygonLegs polygon_legs(const Chain& chain, const State& state, std::size_t i) 
   return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
 }
 
+/// Turns of the control polygon below this are not known to the accuracy that is asked for.
+constexpr double resolved_turn = 1e-3;
+
 double area_floor(const Chain& chain, double softness, std::size_t i) {
   const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
   return std::max(softness, least_area) * scale;
@@ -181,7 +184,7 @@ double residual_of(const System& system, const State& state, Values& values) {
   system.evaluate(state, uniform_setting(chain, Form::divided), values);
   double largest = 0.0;
   for (std::size_t i = 1; i <= chain.segments(); ++i) {
-    const double miss = nearest(chain, state, values, i).miss, bend = std::abs(values.bend[i]);
+    const double miss = nearest(chain, state, values, i).miss, bend = values.weight[i] * std::abs(values.bend[i]);
     if (!std::isfinite(miss + bend)) return std::numeric_limits<double>::infinity();
     largest = std::max({largest, miss, bend});
   }
@@ -214,15 +217,20 @@ void System::evaluate_bend(const State& state, double softness, Values& values) 
   const Chain& chain = *chain_;
   const std::size_t m = chain.segments();
   values.bend.assign(m + 2, 0.0);
+  values.weight.assign(m + 2, 1.0);
   values.area.resize(m + 2);
   values.s.resize(m + 2);
   for (std::size_t i = 1; i <= m; ++i) {
     const PolygonLegs legs = polygon_legs(chain, state, i);
     values.area[i] = cross(legs.before, legs.after);
+    const double turn = std::abs(values.area[i]) / std::sqrt(legs.before.squaredNorm() * legs.after.squaredNorm());
+    values.weight[i] = std::fmin(1.0, turn / resolved_turn);
     values.s[i] = std::log(std::hypot(values.area[i], area_floor(chain, softness, i)));
   }
+  const double first_weight = values.weight[1];
   for (std::size_t i = 1; i <= (chain.closed ? m : m - 1); ++i) {
     const std::size_t j = chain.next(i);
+    values.weight[i] = std::min(values.weight[i], j == 1 ? first_weight : values.weight[j]);
     // log of kappa_i(1) / kappa_{i+1}(0), Eq. (8) with Delta_i+ = (1 - lambda_{i-1}) T_i and
     // Delta_{i+1}- = lambda_{i+1} T_{i+1}.
     values.bend[i] = values.s[i] - values.s[j] + chain.end[i] - chain.end[j] - softplus(state.x[i - 1]) -
@@ -238,19 +246,18 @@ void System::evaluate(const State& state, const Setting& setting, Values& values
   values.t.resize(m + 2);
   values.miss.resize(m + 2);
   values.merit = values.residual = 0.0;
-  const auto count = [&values](double value) {
+  const auto count = [&values](double value, double weight) {
     values.merit += value * value;
-    values.residual =
-        std::max(values.residual, std::isfinite(value) ? std::abs(value) : std::numeric_limits<double>::infinity());
+    const double size = std::isfinite(value) ? weight * std::abs(value) : std::numeric_limits<double>::infinity();
+    values.residual = std::max(values.residual, size);
   };
   for (std::size_t i = 1; i <= m; ++i) {
     const Interpolation row = interpolate(chain.basis, chain.a[i], setting.form[i], setting.softness, state.e[i],
                                           ends(chain, state, values.ratios, i));
     values.t[i] = row.t;
     values.miss[i] = row.value / chain.size[i];
-    count(values.miss[i].x());
-    count(values.miss[i].y());
-    count(values.bend[i]);
+    count(values.miss[i].norm(), 1.0);
+    count(values.bend[i], values.weight[i]);
   }
 }
 

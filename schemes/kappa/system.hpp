@@ -42,8 +42,11 @@ struct Values {
   std::vector<double> bend;  ///< G2 equation at joint i, a log of the ratio of end curvatures; 0 at fixed joints
   std::vector<double> area;  ///< T_i, twice the area of the middle control points i - 1, i, i + 1
   std::vector<double> s;     ///< log |T_i|, smoothed
-  double merit = 0.0;        ///< sum of squares of miss and bend: what a line search decreases
-  double residual = 0.0;     ///< the largest |miss| or |bend|; infinite if a value is not finite
+  /// How much of `bend` counts in `residual`: 1, or less where the control polygon turns by less than a thousandth at
+  /// either end, in proportion. There the curvature is mostly the rounding of control points.
+  std::vector<double> weight;
+  double merit = 0.0;     ///< sum of squares of miss and bend: what a line search decreases
+  double residual = 0.0;  ///< the largest |miss| or weighted |bend|; infinite if a value is not finite
 };
 
 using Block4 = BlockTridiagonal<4>;
@@ -58,7 +61,7 @@ class System {
 
   void evaluate(const State& state, const Setting& setting, Values& values) const;
 
-  /// Only `area`, `s` and `bend`, unsmoothed.
+  /// Only `area`, `s`, `bend` and `weight`, unsmoothed.
   void evaluate_bend(const State& state, Values& values) const { evaluate_bend(state, 0.0, values); }
 
   /// The Jacobian at `state`, in the order (e_x, e_y, x, s) of unknowns and (miss, miss, bend, s) of equations, and
@@ -85,8 +88,8 @@ struct Ends {
 /// The basis's parameter at the end of a segment.
 [[nodiscard]] double last_parameter(BasisKind basis);
 
-/// How far a state is from a solution, whatever form an iteration uses: the largest of |bend| and, at each point,
-/// of |miss| in the `divided` form, or in a pinned form where |kappa| peaks at that end if that is less.
+/// How far a state is from a solution, whatever form an iteration uses: the largest of weighted |bend| and, at each
+/// point, of |miss| in the `divided` form, or in a pinned form where |kappa| peaks at that end if that is less.
 [[nodiscard]] double residual_of(const System& system, const State& state, Values& values);
 /// The same with a given form for each point.
 [[nodiscard]] double residual_of(const System& system, const State& state, const Setting& setting, Values& values);

@@ -65,7 +65,7 @@ class WindowSolver {
     solution_.converged = solution_.residual <= accuracy;
     open_.assign(chain_.segments() + 2, false);
     for (std::size_t i = 1; i <= chain_.segments(); ++i)
-      open_[i] = !(values_.miss[i].norm() <= accuracy && std::abs(values_.bend[i]) <= accuracy);
+      open_[i] = !(values_.miss[i].norm() <= accuracy && values_.weight[i] * std::abs(values_.bend[i]) <= accuracy);
     return solution_.converged;
   }
 

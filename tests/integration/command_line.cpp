@@ -181,3 +181,16 @@ TEST_CASE("compare prints a table in every format, and keeps a report where aske
   CHECK(std::filesystem::exists(folder.path() / "report" / "index.html"));
   CHECK(std::filesystem::exists(folder.path() / "report" / "results.h5"));
 }
+
+TEST_CASE("drawings of the same name are told apart") {
+  const ScratchFolder folder;
+  for (const std::string place : {"a", "b"}) {
+    std::filesystem::create_directory(folder.path() / place);
+    write(folder.path() / place / "five.txt", five);
+  }
+  const Ran ran = run(folder, "compare a b --schemes catmull-rom --format json");
+  REQUIRE(ran.status == 0);
+  const json rows = json::parse(ran.out);
+  CHECK(rows[0]["dataset"] == "five");
+  CHECK(rows[1]["dataset"] == "five-2");
+}

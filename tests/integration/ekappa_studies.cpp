@@ -108,7 +108,7 @@ TEST_CASE("minima of the trigonometric curve: measured slopes decide, a missing 
                                             .schemes = {"ekappa-trig:a=0.5", "ekappa-trig:a=0.9", "ekappa:a=0.9"},
                                             .datasets = {"blob-12"}});
   REQUIRE(record.cells.size() == 2);  // the Bernstein basis is none of this
-  // Twelve gentle turns: minima at a = 1/2, maxima at 0.9 (ERRATA of the scheme's folder).
+  // Twelve gentle turns: minima at a = 1/2, maxima at 0.9.
   CHECK(measurement(record.cells[0], "valleys") > 0.0);
   CHECK(measurement(record.cells[1], "valleys") == 0.0);
   CHECK(claim_of(record, "trigonometric-local-maximum").verdict == "contradicted");
@@ -120,7 +120,7 @@ TEST_CASE("minima of the trigonometric curve: measured slopes decide, a missing 
 }
 
 TEST_CASE("slopes tell peaks from valleys") {
-  // A parabola has its peak in the middle; the middle of a segment that bends at both ends is a valley.
+  // Both inner control points at the corner: a peak in the middle. Bends at both ends: a valley between them.
   const auto curve = [](const std::array<Vec2, 4>& control) {
     return Curve({std::make_shared<const PolynomialSegment>(control)}, {}, {{.point = 0, .segment = 0, .t = 0.5}},
                  false);

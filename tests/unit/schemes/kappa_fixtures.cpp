@@ -23,7 +23,7 @@ OneSegment through(const std::string& scheme, const Vec2& c0, const Vec2& p, con
   const Fit result = fit(scheme, {.points = {c0, p, c2}, .closed = false, .options = {}, .ids = {}});
   REQUIRE(result.report.outcome == Outcome::converged);
   REQUIRE(result.curve->size() == 1);
-  const Node node = result.curve->nodes().front();
+  const Node node = inner_nodes(result).front();
   const Segment& segment = result.curve->segment(0);
   // The outer legs meet at the middle control point.
   const Jet start = segment.jet(0.0, 2), end = segment.jet(1.0, 2);
@@ -105,8 +105,8 @@ TEST_CASE("linear trigonometric segments with an acute turn have a curvature min
                                 .options = {},
                                 .ids = {}});
   REQUIRE(result.report.outcome == Outcome::converged);
-  CHECK(result.curve->nodes().front().t == Approx(0.3524163823495667).epsilon(1e-12));
-  CHECK(result.curve->nodes().front().curvature_minimum);
+  CHECK(inner_nodes(result).front().t == Approx(0.3524163823495667).epsilon(1e-12));
+  CHECK(inner_nodes(result).front().curvature_minimum);
   CHECK(result.report.counters.at("curvature_minima") == 1);
 }
 
@@ -122,6 +122,6 @@ TEST_CASE("a symmetric trigonometric segment of small turn peaks at its ends", "
       fit("ekappa-trig:a=0.55",
           {.points = {c0, segment.jet(0.5, 0).position(), c2}, .closed = false, .options = {}, .ids = {}});
   REQUIRE(result.report.outcome == Outcome::converged);
-  CHECK(result.curve->nodes().front().t == Approx(0.5).margin(1e-12));
-  CHECK(result.curve->nodes().front().curvature_minimum);
+  CHECK(inner_nodes(result).front().t == Approx(0.5).margin(1e-12));
+  CHECK(inner_nodes(result).front().curvature_minimum);
 }

@@ -114,6 +114,14 @@ inline Fit fit(const std::string& scheme, const Input& input) {
   return registry.parse(scheme)->fit(input);
 }
 
+/// The nodes of points that have a segment of their own: all but the ends of an open curve.
+inline std::vector<Node> inner_nodes(const Fit& fit) {
+  std::vector<Node> nodes;
+  for (const Node& node : fit.curve->nodes())
+    if (fit.input.closed || (node.point != 0 && node.point != fit.input.size() - 1)) nodes.push_back(node);
+  return nodes;
+}
+
 /// The largest distance between a node and its point, over the mean chord.
 inline double largest_miss(const Fit& fit) {
   double largest = 0.0;

@@ -67,7 +67,7 @@ TEST_CASE("points sit at curvature peaks, or at an end when pinned", "[kappa]") 
     const Fit result = fit("kappa", random_input(Family::uneven_walk, seed));
     if (result.report.outcome != Outcome::converged) continue;
     pinned += result.report.counters.at("pinned");
-    for (const Node& node : result.curve->nodes()) {
+    for (const Node& node : inner_nodes(result)) {
       const Segment& segment = result.curve->segment(node.segment);
       const double here = std::abs(curvature(segment.jet(node.t, 2)));
       for (const double t : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
@@ -107,7 +107,7 @@ TEST_CASE("a point at an inflection loses its segment", "[kappa]") {
     REQUIRE(result.report.outcome == Outcome::converged);
     CHECK(result.curve->size() == 2);
     CHECK(result.report.counters.at("at_inflection") == 1);
-    const auto& nodes = result.curve->nodes();
+    const std::vector<Node> nodes = inner_nodes(result);
     REQUIRE(nodes.size() == 3);
     CHECK(nodes[1].at_inflection);
     CHECK(largest_miss(result) <= 1e-12);
@@ -153,7 +153,8 @@ TEST_CASE("odd inputs end in an outcome, never in numbers that are none", "[kapp
       }
       for (const SegmentPtr& segment : result.curve->segments())
         for (const double t : {0.0, 0.5, 1.0}) CHECK(segment->jet(t, 2).position().allFinite());
-      if (result.report.outcome == Outcome::converged) CHECK(largest_miss(result) <= 1e-9);
+      if (result.report.outcome == Outcome::converged)
+        CHECK(largest_miss(result) <= (i == 3 ? 1e-6 : 1e-9));  // 1e9 has 7 digits left
     }
 }
 
