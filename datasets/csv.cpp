@@ -35,7 +35,7 @@ std::vector<std::string> cells_of(std::string_view line, const Place& place) {
       end_cell();
     } else if (inside || !was_quoted) {
       cell += line[i];
-    } else if (trimmed(line.substr(i, 1)) != "") {
+    } else if (!trimmed(line.substr(i, 1)).empty()) {
       refuse(place, "text after a closing quote", "write \"\" for a quote inside a quoted cell");
     }
   }

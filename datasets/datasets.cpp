@@ -36,8 +36,8 @@ std::vector<fs::path> files_in(const fs::path& folder, std::span<const std::stri
 }
 
 std::vector<Drawing> read_all(const std::vector<fs::path>& files) {
-  std::vector<Drawing> drawings;
-  for (const fs::path& file : files) drawings.push_back(read_drawing(file));
+  std::vector<Drawing> drawings(files.size());
+  std::ranges::transform(files, drawings.begin(), read_drawing);
   return drawings;
 }
 

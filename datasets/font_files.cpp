@@ -66,7 +66,7 @@ std::vector<fs::path> font_folders() {
 
 fs::path find_font(std::string_view font, const Place& place) {
   std::error_code error;
-  if (fs::is_regular_file(fs::path(font), error)) return fs::path(font);
+  if (fs::is_regular_file(fs::path(font), error)) return font;
 
   std::vector<fs::path> files;
   for (const fs::path& folder : font_folders()) std::ranges::copy(font_files_in(folder), std::back_inserter(files));

@@ -98,6 +98,8 @@ store::Results assemble(const std::vector<Prepared>& prepared, const Plan& plan,
       const auto found = cells.find(job.key);
       if (found == cells.end()) continue;
       record.cells.push_back(found->second);
+      // Equal points under another name are the same cell.
+      record.cells.back().dataset = job.dataset;
       record.cells.back().label = job.label;
     }
     if (complete) p.experiment->conclude(p.context, record);

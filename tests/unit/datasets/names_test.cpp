@@ -87,7 +87,7 @@ TEST_CASE("a missing folder of built-in drawings is said, and files still open",
   CHECK(open_drawings(file.string()).size() == 1);
 }
 
-TEST_CASE("- is plain text from standard input", "[datasets]") {
+TEST_CASE("a dash is plain text from standard input", "[datasets]") {
   std::istringstream text("closed\n0 0\n1 0\n0 1\n");
   std::streambuf* const before = std::cin.rdbuf(text.rdbuf());
   const std::vector<Drawing> drawings = open_drawings("-");
