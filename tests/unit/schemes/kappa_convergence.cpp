@@ -2,6 +2,7 @@
 // fixed seeds below, so they either hold or do not.
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "tests/catch.hpp"
 #include "tests/unit/schemes/kappa_inputs.hpp"
@@ -53,19 +54,22 @@ TEST_CASE("every outside drawing is solved", "[kappa]") {
     }
 }
 
+// More seeds by hand: KAPPABENCH_KAPPA_SEEDS=1667 gives the 10,002 inputs of the table in schemes/kappa/README.md.
 TEST_CASE("random inputs of six families are solved", "[kappa]") {
   struct Bar {
     Case c;
-    int failures;           ///< at most, of all inputs
+    double failures;        ///< share of the inputs, at most
     int median_iterations;  ///< at most
   };
-  constexpr std::uint64_t seeds = 40;  // of each family
-  const Bar bars[] = {{{"kappa", 0, 0}, 1, 25},
-                      {{"ekappa:a=0.8", 0, 0}, 0, 15},
-                      {{"ekappa:a=0.95", 0, 0}, 0, 15},
-                      {{"ekappa", 2.0 / 3.0, 0.98}, 0, 15},
-                      {{"ekappa-trig:a=0.8", 0, 0}, 0, 15},
-                      {{"ekappa-trig:a=0.9", 0, 0}, 0, 15}};
+  const Bar bars[] = {{{"kappa", 0, 0}, 0.003, 25},
+                      {{"ekappa:a=0.8", 0, 0}, 0.0001, 15},
+                      {{"ekappa:a=0.95", 0, 0}, 0.0001, 15},
+                      {{"ekappa", 2.0 / 3.0, 0.98}, 0.0003, 15},
+                      {{"ekappa-trig:a=0.9", 0, 0}, 0.0001, 15},
+                      {{"ekappa-trig:a=0.8", 0, 0}, 0.0005, 15},
+                      {{"ekappa-trig:a=0.75", 0, 0}, 0.001, 15}};
+  const char* wanted = std::getenv("KAPPABENCH_KAPPA_SEEDS");
+  const std::uint64_t seeds = wanted != nullptr ? std::stoull(wanted) : 40;  // of each family
   for (const Bar& bar : bars) {
     int failures = 0;
     std::vector<int> iterations;
@@ -84,9 +88,13 @@ TEST_CASE("random inputs of six families are solved", "[kappa]") {
         }
       }
     std::sort(iterations.begin(), iterations.end());
+    const std::size_t count = iterations.size();
+    if (wanted != nullptr)
+      WARN(bar.c.scheme << ": " << failures << " of " << count << " not solved, iterations " << iterations[count / 2]
+                        << " in the median, " << iterations[count * 99 / 100] << " at 99 %");
     INFO(bar.c.scheme);
-    CHECK(failures <= bar.failures);
-    CHECK(iterations[iterations.size() / 2] <= bar.median_iterations);
+    CHECK(failures <= bar.failures * static_cast<double>(count));
+    CHECK(iterations[count / 2] <= bar.median_iterations);
   }
 }
 
