@@ -71,8 +71,8 @@ std::string parameters_json(const Parameters& parameters) {
 }
 
 std::string node_json(const Node& node) {
-  return fmt::format(R"({{"point":{},"segment":{},"t":{},"pinned":{},"at_inflection":{}}})", node.point, node.segment,
-                     number(node.t), node.pinned, node.at_inflection);
+  return fmt::format(R"({{"point":{},"segment":{},"t":{},"pinned":{},"at_inflection":{},"curvature_minimum":{}}})",
+                     node.point, node.segment, number(node.t), node.pinned, node.at_inflection, node.curvature_minimum);
 }
 
 std::string joint_json(const Joint& joint) {

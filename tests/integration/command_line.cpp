@@ -81,6 +81,17 @@ TEST_CASE("fit prints the curve as kappabench-curve JSON that rebuilds it") {
   CHECK_THAT(ran.out, ContainsSubstring("0.80000000000000004"));
 }
 
+TEST_CASE("the trigonometric scheme names the nodes where |curvature| has a minimum") {
+  const ScratchFolder folder;
+  // An octagon turns by 45 degrees a point, less than the 58 degrees where a = 0.55 begins to have maxima.
+  write(folder.path() / "octagon.txt", "closed\n2 0\n1.4 1.4\n0 2\n-1.4 1.4\n-2 0\n-1.4 -1.4\n0 -2\n1.4 -1.4\n");
+  const json curve = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.55").out);
+  REQUIRE(curve["nodes"].size() == 8);
+  for (const json& node : curve["nodes"]) CHECK(node["curvature_minimum"] == true);
+  const json sharp = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.8").out);
+  for (const json& node : sharp["nodes"]) CHECK(node["curvature_minimum"] == false);
+}
+
 TEST_CASE("a drawing of several curves is a JSON array, and '-' is standard input") {
   const ScratchFolder folder;
   write(folder.path() / "two.txt", five + "\nopen\n0 0\n1 1\n2 0\n");
