@@ -156,6 +156,7 @@ TEST_CASE("a refit is the fit of the edited input") {
           Edit{Insert{.before = 1, .at = 0.5 * (input.points[0] + input.points[1])}}, Edit{Erase{.point = 7}}}) {
       const Fit warm = scheme->refit(before, edit), cold = scheme->fit(apply(input, edit));
       REQUIRE(warm.report.outcome == cold.report.outcome);
+      if (!info.traits.refit_is_fit) continue;
       if (warm.curve && warm.curve->size() == cold.curve->size()) CHECK(distance(*warm.curve, *cold.curve) <= 1e-9);
     }
   }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "schemes/pkappa/window.hpp"
+
+namespace kappabench::pkappa {
+
+struct GlobalReport {
+  int iterations = 0;
+  int patched = 0;  ///< segments that took the second start's solution
+  bool sound = false;
+  bool converged = false;
+  std::vector<double> trace{};  ///< weighted energy over the number of segments after each phase
+};
+
+/// Minimises the energy of the whole curve at once, open or periodic: no order of insertion, no frozen segments, and a
+/// start that prefers no direction. Linear in the number of points, in time and memory. Segment i passes point i + 1 if
+/// open, point i if closed.
+template <Continuity K>
+[[nodiscard]] Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const WindowSettings& settings,
+                                       GlobalReport& report);
+
+}  // namespace kappabench::pkappa

@@ -1,0 +1,235 @@
+#include "schemes/pkappa/local.hpp"
+
+#include <algorithm>
+
+#include "schemes/pkappa/published_start.hpp"
+
+namespace kappabench::pkappa {
+
+void LocalReport::add(const WindowReport& window) {
+  ++windows;
+  iterations += window.iterations;
+  fallbacks += window.fell_back;
+  reverted += window.second_stage_reverted;
+  unsound += !window.sound;
+  unfinished += !window.converged;
+}
+
+namespace {
+
+/// The points that the segments of a spline through `points` pass: all but the ends of an open curve.
+std::span<const Vec2> passed_points(std::span<const Vec2> points, bool closed) {
+  return closed ? points : points.subspan(1, points.size() - 2);
+}
+
+/// Solves for `count` consecutive segments from `first` on, with wrap-around, and leaves the others as they are.
+template <Continuity K>
+WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool closed, std::size_t first,
+                         std::size_t count, const WindowSettings& settings) {
+  const std::size_t n = spline.t.size();
+  const std::span<const Vec2> passed = passed_points(points, closed);
+  Window<K> window{.first = !closed && first == 0 ? Freedom::end_point : Freedom::none,
+                   .last = !closed && first + count == n ? Freedom::end_point : Freedom::none};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % n;
+    window.start.control.push_back(spline.control[i]);
+    window.start.t.push_back(spline.t[i]);
+    window.points.push_back(passed[i]);
+  }
+  const WindowReport report = solve_window<K>(window, settings);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % n;
+    spline.control[i] = window.start.control[k];
+    spline.t[i] = window.start.t[k];
+  }
+  return report;
+}
+
+/// Inserts the last of `points` into the open spline through the others: Eq. (7) with the start of Section 5.2.1.
+template <Continuity K>
+void append(Spline<K>& spline, std::span<const Vec2> points, const WindowSettings& settings, LocalReport& report) {
+  constexpr int degree = Layout<K>::degree;
+  const std::size_t n = points.size() - 2;  // segments, with the new one
+  const Vec2& next = points.back();
+  if (n == 1) {
+    const double t = chord_parameter(points[0], points[1], points[2]);
+    spline = {{first_segment<degree>(points[0], points[1], points[2], t)}, {t}};
+  } else {
+    const double z = 0.5 * (1.0 + spline.t.back());
+    auto& before = spline.control.back();
+    before = part<degree>(before, 0.0, z);
+    spline.t.back() /= z;
+    const double t = chord_parameter(before.col(degree), points[n], next);
+    spline.control.push_back(last_segment<K>(before, points[n], next, t));
+    spline.t.push_back(t);
+  }
+  if (n >= 3) make_parametric<K>(spline.control[n - 3], spline.control[n - 2]);
+
+  const std::size_t count = std::min<std::size_t>(n, 3);
+  WindowReport window = solve_range<K>(spline, points, false, n - count, count, settings);
+  report.add(window);
+  if (!settings.robust || window.good()) return;
+  // What a frozen segment makes impossible may be possible without it.
+  constexpr std::size_t widest = 7;
+  for (std::size_t wider = count + 2; wider <= std::min(n, widest) && !window.good(); wider += 2) {
+    Spline<K> attempt = spline;
+    const WindowReport again = solve_range<K>(attempt, points, false, n - wider, wider, settings);
+    report.add(again);
+    if (again.sound < window.sound || !(again.worst_parabola < window.worst_parabola)) continue;
+    ++report.widened;
+    spline = std::move(attempt);
+    window = again;
+  }
+}
+
+template <Continuity K>
+void reverse(Spline<K>& spline) {
+  std::ranges::reverse(spline.control);
+  std::ranges::reverse(spline.t);
+  for (auto& control : spline.control) control = control.rowwise().reverse().eval();
+  for (double& t : spline.t) t = 1.0 - t;
+}
+
+template <Continuity K>
+void edit(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Move& move,
+          const WindowSettings& settings, LocalReport& report) {
+  const auto n = static_cast<std::ptrdiff_t>(spline.t.size());
+  std::ptrdiff_t own = closed ? move.point : std::clamp<std::ptrdiff_t>(move.point - 1, 0, n - 1);
+  if (!closed && move.point == 0) spline.control.front().col(0) = edited.front();
+  if (!closed && move.point == n + 1) spline.control.back().template rightCols<1>() = edited.back();
+  if (closed) {
+    report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>((own + n - 1) % n), 3, settings));
+    return;
+  }
+  const std::ptrdiff_t first = std::max<std::ptrdiff_t>(own - 1, 0), last = std::min(own + 1, n - 1);
+  report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>(first),
+                            static_cast<std::size_t>(last - first + 1), settings));
+}
+
+/// Replaces an end segment by two: the new one, which starts at the end point, and what is left of the old one.
+template <Continuity K>
+void insert_after_start(Spline<K>& spline, std::span<const Vec2> edited, const WindowSettings& settings,
+                        LocalReport& report) {
+  constexpr int degree = Layout<K>::degree;
+  const double y = 0.5 * spline.t.front();
+  auto& right = spline.control.front();
+  right = part<degree>(right, y, 1.0);
+  spline.t.front() = (spline.t.front() - y) / (1.0 - y);
+  const double t = chord_parameter(edited[0], edited[1], right.col(0));
+  const ControlPolygon<degree> added = first_segment<degree>(edited[0], edited[1], right.col(0), t);
+  spline.control.insert(spline.control.begin(), added);
+  spline.t.insert(spline.t.begin(), t);
+  const std::size_t count = std::min<std::size_t>(3, spline.t.size());
+  report.add(solve_range<K>(spline, edited, false, 0, count, settings));
+}
+
+template <Continuity K>
+void edit(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Insert& insert,
+          const WindowSettings& settings, LocalReport& report) {
+  const auto before = static_cast<std::size_t>(insert.before), last = edited.size() - 1;
+  std::vector<Vec2> backwards(edited.rbegin(), edited.rend());
+  if (!closed && before == last) return append<K>(spline, edited, settings, report);
+  if (!closed && before == 1) return insert_after_start<K>(spline, edited, settings, report);
+  if (!closed && (before == 0 || before + 1 == last)) {
+    reverse<K>(spline);
+    before == 0 ? append<K>(spline, backwards, settings, report)
+                : insert_after_start<K>(spline, backwards, settings, report);
+    return reverse<K>(spline);
+  }
+  // Segments and the points they pass have the same numbers in `passed`, which has the new point already.
+  const std::span<const Vec2> passed = passed_points(edited, closed);
+  const std::size_t at = closed ? before : before - 1, n = spline.t.size();
+  const std::size_t left = (at + n - 1) % n, right = at % n;
+  const Spline<K> three = between<K>(spline.control[left], spline.t[left], passed[at > 0 ? at - 1 : n], passed[at],
+                                     spline.control[right], spline.t[right], passed[(at + 1) % (n + 1)]);
+  spline.control[left] = three.control[0];
+  spline.t[left] = three.t[0];
+  spline.control[right] = three.control[2];
+  spline.t[right] = three.t[2];
+  spline.control.insert(spline.control.begin() + static_cast<std::ptrdiff_t>(at), three.control[1]);
+  spline.t.insert(spline.t.begin() + static_cast<std::ptrdiff_t>(at), three.t[1]);
+  report.add(solve_range<K>(spline, edited, closed, (at + n) % (n + 1), 3, settings));
+}
+
+template <Continuity K>
+void edit(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Erase& erase,
+          const WindowSettings& settings, LocalReport& report) {
+  const auto n = static_cast<std::ptrdiff_t>(spline.t.size());
+  const std::ptrdiff_t gone = closed ? erase.point : std::clamp<std::ptrdiff_t>(erase.point - 1, 0, n - 1);
+  spline.control.erase(spline.control.begin() + gone);
+  spline.t.erase(spline.t.begin() + gone);
+  if (!closed) {
+    spline.control.front().col(0) = edited.front();
+    spline.control.back().template rightCols<1>() = edited.back();
+  }
+  const std::ptrdiff_t left = n - 1;
+  const std::ptrdiff_t first = closed ? (gone - 2 + 2 * left) % left : std::max<std::ptrdiff_t>(gone - 2, 0);
+  const std::ptrdiff_t last = closed ? first + std::min<std::ptrdiff_t>(4, left) - 1 : std::min(gone + 1, left - 1);
+  report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>(first),
+                            static_cast<std::size_t>(last - first + 1), settings));
+}
+
+}  // namespace
+
+template <Continuity K>
+Spline<K> construct_open(std::span<const Vec2> points, const WindowSettings& settings, LocalReport& report) {
+  Spline<K> spline;
+  for (std::size_t n = 3; n <= points.size(); ++n) append<K>(spline, points.first(n), settings, report);
+  return spline;
+}
+
+template <Continuity K>
+Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& settings, LocalReport& report) {
+  // The open curve on to the first point again, whose segment then comes between the last and the first.
+  std::vector<Vec2> round(points.begin(), points.end());
+  round.push_back(points.front());
+  const Spline<K> open = construct_open<K>(round, settings, report);
+  const std::size_t n = points.size();
+  const Spline<K> three = between<K>(open.control.back(), open.t.back(), points.back(), points.front(),
+                                     open.control.front(), open.t.front(), points[1]);
+  Spline<K> closed;
+  closed.control = {three.control[1], three.control[2]};
+  closed.t = {three.t[1], three.t[2]};
+  closed.control.insert(closed.control.end(), open.control.begin() + 1, open.control.end() - 1);
+  closed.t.insert(closed.t.end(), open.t.begin() + 1, open.t.end() - 1);
+  closed.control.push_back(three.control[0]);
+  closed.t.push_back(three.t[0]);
+  report.add(solve_range<K>(closed, points, true, n - 1, 3, settings));
+  return closed;
+}
+
+template <Continuity K>
+bool edit_locally(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Edit& change,
+                  const WindowSettings& settings, LocalReport& report) {
+  const std::size_t fewest = closed ? 3 : 1;
+  if (passed_points(edited, closed).size() < fewest) return false;
+  std::visit([&](const auto& what) { edit<K>(spline, edited, closed, what, settings, report); }, change);
+  return true;
+}
+
+template Spline<Continuity::c1> construct_open<Continuity::c1>(std::span<const Vec2>, const WindowSettings&,
+                                                               LocalReport&);
+template Spline<Continuity::c1> construct_closed<Continuity::c1>(std::span<const Vec2>, const WindowSettings&,
+                                                                 LocalReport&);
+template bool edit_locally<Continuity::c1>(Spline<Continuity::c1>&, std::span<const Vec2>, bool, const Edit&,
+                                           const WindowSettings&, LocalReport&);
+template Spline<Continuity::g1> construct_open<Continuity::g1>(std::span<const Vec2>, const WindowSettings&,
+                                                               LocalReport&);
+template Spline<Continuity::g1> construct_closed<Continuity::g1>(std::span<const Vec2>, const WindowSettings&,
+                                                                 LocalReport&);
+template bool edit_locally<Continuity::g1>(Spline<Continuity::g1>&, std::span<const Vec2>, bool, const Edit&,
+                                           const WindowSettings&, LocalReport&);
+template Spline<Continuity::c2> construct_open<Continuity::c2>(std::span<const Vec2>, const WindowSettings&,
+                                                               LocalReport&);
+template Spline<Continuity::c2> construct_closed<Continuity::c2>(std::span<const Vec2>, const WindowSettings&,
+                                                                 LocalReport&);
+template bool edit_locally<Continuity::c2>(Spline<Continuity::c2>&, std::span<const Vec2>, bool, const Edit&,
+                                           const WindowSettings&, LocalReport&);
+template Spline<Continuity::g2> construct_open<Continuity::g2>(std::span<const Vec2>, const WindowSettings&,
+                                                               LocalReport&);
+template Spline<Continuity::g2> construct_closed<Continuity::g2>(std::span<const Vec2>, const WindowSettings&,
+                                                                 LocalReport&);
+template bool edit_locally<Continuity::g2>(Spline<Continuity::g2>&, std::span<const Vec2>, bool, const Edit&,
+                                           const WindowSettings&, LocalReport&);
+
+}  // namespace kappabench::pkappa

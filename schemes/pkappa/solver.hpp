@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "schemes/pkappa/chain.hpp"
+
+namespace kappabench::pkappa {
+
+/// What minimises a window.
+enum class Solver { lm, ceres, nlopt, ipopt };
+
+/// The solvers of this build: "lm", "ceres", "nlopt", and "ipopt" where it was found at configure time.
+[[nodiscard]] std::vector<std::string> solver_names();
+[[nodiscard]] Solver solver_named(std::string_view name);
+
+struct MinimiseOptions {
+  Weights weights;
+  int max_iterations = 200;
+  /// Stops when the model promises a relative decrease of the weighted energy of less than this.
+  double tolerance = 1e-12;
+};
+
+struct Minimum {
+  double energy = 0.0;    ///< weighted
+  double decrease = 0.0;  ///< the relative decrease that the model promised last (lm)
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Minimises the weighted energy over the chain's unknowns (Wang 2024, Eqs. (6) to (8)). `chain` must interpolate and
+/// have finite energy; it interpolates afterwards and is not worse.
+template <Continuity K>
+Minimum minimise(Solver solver, Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+
+/// The same by each solver; the declarations are for solver.cpp.
+template <Continuity K>
+Minimum minimise_lm(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+template <Continuity K>
+Minimum minimise_ceres(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+template <Continuity K>
+Minimum minimise_nlopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+template <Continuity K>
+Minimum minimise_ipopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+
+}  // namespace kappabench::pkappa

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/solver.hpp"
+
+namespace kappabench::pkappa {
+
+/// Consecutive segments as the user sees them: control polygons in the units of the input and the t of each point.
+template <Continuity K>
+struct Spline {
+  std::vector<ControlPolygon<Layout<K>::degree>> control;
+  std::vector<double> t;
+};
+
+/// How a window is solved: the scheme's options.
+struct WindowSettings {
+  Weights weights{0.1, 0.1};
+  const QuadratureRule* rule = &gauss_rule();
+  Solver solver = Solver::lm;
+  bool raw_units = false;       ///< else lengths over the window's mean chord
+  bool robust = true;           ///< a second start, verification and fallbacks; else as printed
+  double second_weights = 0.1;  ///< factor of the weights in stage 2
+  int first_iterations = 100;
+  int second_iterations = 60;
+  double tolerance = 1e-9;
+};
+
+/// Segments to solve for while everything else stays: what Wang 2024, Eqs. (7) and (8) call the simplified problem.
+template <Continuity K>
+struct Window {
+  Spline<K> start;  ///< the published start; its outermost control points are those of ends that are fixed
+  std::vector<Vec2> points;
+  Freedom first = Freedom::none, last = Freedom::none;
+};
+
+struct WindowReport {
+  int iterations = 0;
+  bool fell_back = false;
+  bool second_stage_reverted = false;
+  bool sound = true;
+  bool converged = true;
+  double first_energy = 0.0;                                        ///< weighted, after stage 1, in the window's unit
+  double worst_parabola = std::numeric_limits<double>::infinity();  ///< the largest E_p of a segment, in the same unit
+
+  /// Good enough not to look for anything better.
+  [[nodiscard]] bool good() const { return sound && worst_parabola < 0.05; }
+};
+
+/// Solves the window in two stages (Wang 2024, Section 5.3) and replaces `window.start` by the result. Control points
+/// that a fixed end gives are returned bit for bit.
+template <Continuity K>
+WindowReport solve_window(Window<K>& window, const WindowSettings& settings);
+
+}  // namespace kappabench::pkappa
