@@ -50,6 +50,14 @@ struct FormJson {
   std::string operator()(const BlendForm& form) const {
     return fmt::format(R"({{"type":"blend","from":{},"to":{}}})", segment_json(*form.from), segment_json(*form.to));
   }
+  std::string operator()(const EllipticArcForm& form) const {
+    return fmt::format(R"({{"type":"elliptic_arc","centre":{},"axis_a":{},"axis_b":{},"from":{},"to":{}}})",
+                       point(form.centre), point(form.axis_a), point(form.axis_b), number(form.from), number(form.to));
+  }
+  std::string operator()(const ReparametrizedForm& form) const {
+    return fmt::format(R"({{"type":"reparametrized","start_speed":{},"of":{}}})", number(form.start_speed),
+                       segment_json(*form.of));
+  }
   std::string operator()(const OpaqueForm&) const { return R"({"type":"opaque"})"; }
 };
 

@@ -209,6 +209,38 @@ std::vector<double> polygon_cusps(const Segment& segment, const ControlPolygon& 
   return found;
 }
 
+/// kappa = a x b / |c'|^3, and |c'|^2 = mean - amplitude cos(2 w - phase): kappa is extreme where 2 w - phase is a
+/// multiple of pi.
+SignChanges elliptic_sign_changes(const EllipticArcForm& form, bool of_slope) {
+  SignChanges result;
+  const double aa = form.axis_a.squaredNorm(), bb = form.axis_b.squaredNorm(), ab = form.axis_a.dot(form.axis_b);
+  const double amplitude = std::hypot(0.5 * (aa - bb), ab), rounding = 8.0 * 0x1p-52;
+  const bool straight = std::abs(cross(form.axis_a, form.axis_b)) <= rounding * std::sqrt(aa * bb);
+  result.vanishes = straight || (of_slope && amplitude <= rounding * (aa + bb)) || form.from == form.to;
+  if (result.vanishes || !of_slope || !std::isfinite(amplitude + form.from + form.to)) return result;
+  const double phase = std::atan2(ab, 0.5 * (aa - bb)), half_turn = std::numbers::pi;
+  const double first = (2.0 * std::min(form.from, form.to) - phase) / half_turn;
+  const double last = (2.0 * std::max(form.from, form.to) - phase) / half_turn;
+  for (auto k = std::lround(std::ceil(first)); k <= std::lround(std::floor(last)); ++k) {
+    const double t = (0.5 * (static_cast<double>(k) * half_turn + phase) - form.from) / (form.to - form.from);
+    // One at an end is the joint's, not the segment's; rounding must not move it inside.
+    if (t > 1e-14 && t < 1.0 - 1e-14) result.at.push_back({t, t});
+  }
+  if (form.to < form.from) std::reverse(result.at.begin(), result.at.end());
+  return result;
+}
+
+SignChanges changes_of(const Segment& segment, bool of_slope);
+
+/// The sign changes of the other parameter x, taken back to t = x / (m - (m - 1) x).
+SignChanges reparametrized_sign_changes(const ReparametrizedForm& form, bool of_slope) {
+  SignChanges result = changes_of(*form.of, of_slope);
+  const double m = form.start_speed;
+  for (RootBracket& bracket : result.at)
+    for (double* x : {&bracket.lo, &bracket.hi}) *x = *x / (m - (m - 1.0) * *x);
+  return result;
+}
+
 SignChanges changes_of(const Segment& segment, bool of_slope) {
   const ExactForm form = segment.exact();
   if (const auto polygon = control_polygon(form)) {
@@ -217,6 +249,8 @@ SignChanges changes_of(const Segment& segment, bool of_slope) {
   }
   if (const auto* clothoid = std::get_if<ClothoidForm>(&form)) return clothoid_sign_changes(*clothoid, of_slope);
   if (const auto* intrinsic = std::get_if<IntrinsicForm>(&form)) return intrinsic_sign_changes(*intrinsic, of_slope);
+  if (const auto* arc = std::get_if<EllipticArcForm>(&form)) return elliptic_sign_changes(*arc, of_slope);
+  if (const auto* same = std::get_if<ReparametrizedForm>(&form)) return reparametrized_sign_changes(*same, of_slope);
   return sampled_sign_changes(segment, of_slope);
 }
 

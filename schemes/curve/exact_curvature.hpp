@@ -22,8 +22,9 @@ struct SignChanges {
 ///
 /// Polynomial and trigonometric segments: a polynomial of degree 4k - 7 (k the degree) or 14 in the half-angle
 /// tangent, isolated in double precision with rounding bounds and, where that is undecided, in integers. Curvature
-/// as a B-spline: the exact polynomial of every knot span. Clothoids have none. Blends and opaque segments are sampled
-/// at 257 parameters. A cusp (a zero of c') shows as an extremum, too: the sign of d kappa / dt changes there.
+/// as a B-spline: the exact polynomial of every knot span. Clothoids have none, those of elliptical arcs are known in
+/// closed form. Blends and opaque segments are sampled at 257 parameters. A cusp (a zero of c') shows as an extremum,
+/// too: the sign of d kappa / dt changes there.
 /// Never throws; a segment with numbers that are not finite has none.
 [[nodiscard]] SignChanges curvature_extrema(const Segment& segment);
 

@@ -51,9 +51,25 @@ struct BlendForm {
   std::shared_ptr<const Segment> to;
 };
 
+/// centre + axis_a cos w + axis_b sin w, w = from + (to - from) t; the half axes are conjugate.
+struct EllipticArcForm {
+  Vec2 centre;
+  Vec2 axis_a;
+  Vec2 axis_b;
+  double from;  ///< radians
+  double to;
+};
+
+/// of(x) with x = m t / (1 + (m - 1) t), m = start_speed > 0: the same shape at other speeds.
+struct ReparametrizedForm {
+  std::shared_ptr<const Segment> of;
+  double start_speed;
+};
+
 /// A segment that can only be evaluated: its metrics are sampled.
 struct OpaqueForm {};
 
-using ExactForm = std::variant<PolynomialForm, TrigonometricForm, ClothoidForm, IntrinsicForm, BlendForm, OpaqueForm>;
+using ExactForm = std::variant<PolynomialForm, TrigonometricForm, ClothoidForm, IntrinsicForm, BlendForm,
+                               EllipticArcForm, ReparametrizedForm, OpaqueForm>;
 
 }  // namespace kappabench

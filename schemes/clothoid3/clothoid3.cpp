@@ -1,0 +1,184 @@
+#include "schemes/clothoid3/clothoid3.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "schemes/clothoid3/clc.hpp"
+#include "schemes/clothoid3/refine.hpp"
+#include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/spans.hpp"
+
+namespace kappabench {
+
+using namespace clothoid3;
+
+SchemeInfo Clothoid3::describe() {
+  return {.id = "clothoid3",
+          .title = "Local clothoid spline",
+          .citation =
+              "Binninger and Sorkine-Hornung, Smooth interpolating curves with local control and monotone alternating "
+              "curvature, Computer Graphics Forum 41(5), 2022; Bertolazzi and Frego, On the G2 Hermite interpolation "
+              "problem with clothoids, J. Comput. Appl. Math. 341, 2018",
+          .parameters = {{.name = "pieces",
+                          .default_value = std::string("3arcs"),
+                          .help = "between two points: three clothoids, or clothoid, line, clothoid",
+                          .choices = {"3arcs", "clc"}},
+                         {.name = "curvature",
+                          .default_value = std::string("g1"),
+                          .help = "at a point: mean of the clothoids to its neighbours, or that of the local conic",
+                          .choices = {"g1", "conic"}},
+                         {.name = "refine",
+                          .default_value = true,
+                          .help = "raise the curvature at points so that spans have no peak of curvature inside"},
+                         {.name = "compat",
+                          .default_value = false,
+                          .help = "the published code's absolute limits, differences and bisections"}},
+          .traits = {.fewest_open_points = 2,
+                     .continuity = Continuity::g2,
+                     .continuity_exceptions = "corners (G0) where the legs turn straight back",
+                     .locality = 4}};
+}
+
+namespace {
+
+/// Of these parameters: which points a span depends on is counted in README.md.
+SchemeInfo described(const Parameters& parameters) {
+  SchemeInfo info = Clothoid3::describe();
+  SchemeTraits& traits = info.traits;
+  traits.locality = 2 + (parameters.text("curvature") == "g1" ? 1 : 0) + (parameters.flag("refine") ? 1 : 0);
+  const bool clc = parameters.text("pieces") == "clc", compat = parameters.flag("compat");
+  if (compat) {
+    traits.continuity_exceptions =
+        "corners (G0) at points closer than 0.01; kinks of up to 0.001 rad at aligned points";
+  }
+  if (clc)
+    traits.continuity_exceptions +=
+        "; lines (kinks of up to 0.01 rad at their ends, jumps of curvature where a clothoid vanishes)";
+  traits.similarity_invariant = !compat;
+  traits.reversal_invariant = !compat && !clc;
+  return info;
+}
+
+/// One span, and how it was made.
+struct Span {
+  std::vector<ClothoidForm> pieces;
+  Continuity claimed = Continuity::g2;  ///< at its ends
+  int iterations = 0;
+  double residual = 0.0;
+  bool clc = false;
+  bool misses_property = false;  ///< after refinement
+};
+
+Span straight(const Vec2& from, const Vec2& to, Continuity claimed) {
+  const Vec2 chord = to - from;
+  return {.pieces = {{from, std::atan2(chord.y(), chord.x()), 0.0, 0.0, chord.norm()}}, .claimed = claimed};
+}
+
+bool runs_along_chord(const CurveElement& from, const CurveElement& to, const Rules& rules) {
+  const Vec2 chord = to.point - from.point;
+  const double direction = std::atan2(chord.y(), chord.x());
+  const auto off = [&](double heading) {
+    return std::abs(std::remainder(heading - direction, 2.0 * std::numbers::pi));
+  };
+  return std::max(off(from.heading), off(to.heading)) <= 4.0 * rules.aligned_sine;
+}
+
+/// Step 6: what lies between two points.
+Span span_between(const PointElement& from, const PointElement& to, Pieces pieces, const Rules& rules) {
+  const bool flat = from.at.curvature == 0.0 && to.at.curvature == 0.0;
+  if (flat && runs_along_chord(from.at, to.at, rules)) return straight(from.at.point, to.at.point, Continuity::g2);
+  if (pieces == Pieces::clc && from.at.curvature != 0.0 && to.at.curvature != 0.0) {
+    auto found = clothoid_line_clothoid(from.at, to.at, rules);
+    if (found && found->misalignment < allowed_misalignment)
+      return {.pieces = std::move(found->pieces), .residual = found->misalignment, .clc = true};
+  }
+  if (const auto found = three_arcs(from.at, to.at)) {
+    const bool bent = std::min(std::abs(from.at.curvature), std::abs(to.at.curvature)) > rules.least_curvature;
+    return {.pieces = {found->arcs.begin(), found->arcs.end()},
+            .iterations = found->iterations,
+            .residual = found->residual,
+            .misses_property = bent && !good(*found, from.at.curvature, to.at.curvature, rules)};
+  }
+  // What the published code does then.
+  return straight(from.at.point, to.at.point, Continuity::g0);
+}
+
+std::vector<Span> spans_of(const Input& input, const Run& run, Pieces pieces, bool refined, const Rules& rules) {
+  std::vector<PointElement> elements = elements_of(input, run, rules);
+  if (elements.empty())
+    return {straight(input.points[run.points.front()], input.points[run.points.back()], Continuity::g2)};
+  if (refined) refine(elements, run.closed, pieces, rules);
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < run.spans(); ++i)
+    spans.push_back(span_between(elements[i], elements[(i + 1) % elements.size()], pieces, rules));
+  return spans;
+}
+
+/// All spans in the order of the points they start at, and which points are corners.
+struct Layout {
+  std::vector<Span> spans;
+  std::vector<bool> corner;
+};
+
+Layout layout_of(const Input& input, Pieces pieces, bool refined, const Rules& rules) {
+  const std::size_t n = input.points.size();
+  Layout layout{std::vector<Span>(input.closed ? n : n - 1), std::vector<bool>(n, false)};
+  for (const Run& run : runs_of(input, rules)) {
+    std::vector<Span> spans = spans_of(input, run, pieces, refined, rules);
+    for (std::size_t i = 0; i < spans.size(); ++i) layout.spans[run.points[i]] = std::move(spans[i]);
+    if (!run.closed) layout.corner[run.points.front()] = layout.corner[run.points.back()] = true;
+  }
+  return layout;
+}
+
+Report report_of(const Layout& layout) {
+  Report report{.outcome = Outcome::converged};
+  long clc = 0, unsolved = 0, missing = 0;
+  for (const Span& span : layout.spans) {
+    report.iterations = std::max(report.iterations, span.iterations);
+    report.residual = std::max(report.residual, span.residual);
+    clc += span.clc ? 1 : 0;
+    missing += span.misses_property ? 1 : 0;
+    unsolved += span.claimed == Continuity::g0 ? 1 : 0;
+  }
+  report.counters = {{"clc_spans", clc}, {"spans_missing_property", missing}, {"unsolved_spans", unsolved}};
+  if (unsolved > 0) {
+    report.outcome = Outcome::not_converged;
+    report.message =
+        fmt::format("no three arcs were found for {} of {} spans; they are straight", unsolved, layout.spans.size());
+  }
+  return report;
+}
+
+}  // namespace
+
+Clothoid3::Clothoid3(const Parameters& parameters) : Scheme(described(parameters), parameters) {}
+
+Fit Clothoid3::solve(const Input& input) const {
+  const bool g1 = parameters().text("curvature") == "g1";
+  const Rules rules = parameters().flag("compat") ? published_rules(g1) : relative_rules(mean_chord(input), g1);
+  const Pieces pieces = parameters().text("pieces") == "clc" ? Pieces::clc : Pieces::three_arcs;
+  const Layout layout = layout_of(input, pieces, parameters().flag("refine"), rules);
+
+  std::vector<SpanPieces> spans;
+  for (std::size_t i = 0; i < layout.spans.size(); ++i) {
+    const std::size_t next = (i + 1) % layout.spans.size(), end = (i + 1) % input.points.size();
+    std::vector<SegmentPtr> segments;
+    for (const ClothoidForm& piece : layout.spans[i].pieces)
+      segments.push_back(std::make_shared<ClothoidSegment>(piece));
+    const bool kept = !layout.corner[end] && layout.spans[i].claimed == Continuity::g2 &&
+                      layout.spans[next].claimed == Continuity::g2;
+    spans.push_back(
+        {.segments = std::move(segments), .inside = Continuity::g2, .at_end = kept ? Continuity::g2 : Continuity::g0});
+  }
+  return {.input = input, .curve = curve_of_spans(std::move(spans), input.closed), .report = report_of(layout)};
+}
+
+void register_clothoid3(Registry& registry) { registry.add<Clothoid3>(); }
+
+}  // namespace kappabench

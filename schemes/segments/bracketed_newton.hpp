@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace kappabench {
+
+/// A function value and its derivative.
+struct ValueAndSlope {
+  double value, slope;
+};
+
+/// A root of a function that is not negative at `low` and not positive at `high`, to the last digits: Newton kept in a
+/// shrinking bracket, bisection where Newton leaves it or stops halving it. `f(x)` returns a ValueAndSlope. Always
+/// returns a number in the bracket, after at most 200 evaluations.
+template <class Function>
+[[nodiscard]] double falling_root_in(const Function& f, double low, double high, double guess) {
+  double x = guess > low && guess < high ? guess : 0.5 * (low + high);
+  double step_before = high - low;
+  for (int i = 0; i < 200; ++i) {
+    const ValueAndSlope at = f(x);
+    if (at.value == 0.0) return x;
+    (at.value > 0.0 ? low : high) = x;
+    double next = x - at.value / at.slope;
+    if (!(next > low && next < high) || std::abs(next - x) > 0.5 * step_before) next = 0.5 * (low + high);
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= 2.0 * std::numeric_limits<double>::epsilon() * std::abs(x)) break;
+    step_before = step;
+  }
+  return x;
+}
+
+}  // namespace kappabench

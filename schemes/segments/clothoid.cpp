@@ -1,0 +1,96 @@
+#include "schemes/segments/clothoid.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "schemes/segments/fresnel.hpp"
+
+namespace kappabench {
+
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+constexpr int gauss_points = 20;
+/// Radians of phase in one panel for which the rule is exact to rounding.
+constexpr double phase_of_panel = 6.0;
+
+Complex unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Calls `add(u, weight)` for the nodes of the Gauss-Legendre rule on [from, from + width].
+template <class Add>
+void for_gauss_nodes(double from, double width, Add add) {
+  using Rule = boost::math::quadrature::gauss<double, gauss_points>;
+  const double half = 0.5 * width, middle = from + half;
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+    const double offset = half * Rule::abscissa()[i], weight = half * Rule::weights()[i];
+    add(middle - offset, weight);
+    add(middle + offset, weight);
+  }
+}
+
+/// a > 0 and the phase's stationary point -b / a not after the middle: with x = (b + a u) / sqrt(2 a) the phase is
+/// x^2 - x_0^2, and the integral from x_0 to x_1 is a difference of tails.
+Complex by_tails(double b, double a) {
+  const double root = std::sqrt(2.0 * a);
+  const double x0 = b / root, x1 = (b + a) / root;
+  const Complex end = unit(b + 0.5 * a) * fresnel_tail(x1);
+  // F(-x) = 1 - F(x) before the stationary point.
+  const Complex start = x0 >= 0.0 ? fresnel_tail(x0) : unit(-x0 * x0) - fresnel_tail(-x0);
+  return std::sqrt(2.0 * pi / a) * unit(pi / 4.0) * (start - end);
+}
+
+}  // namespace
+
+Complex clothoid_integral(double b, double a) {
+  if (std::abs(b) + 0.5 * std::abs(a) <= phase_of_panel) {
+    Complex sum = 0.0;
+    for_gauss_nodes(0.0, 1.0, [&](double u, double weight) { sum += weight * unit((b + 0.5 * a * u) * u); });
+    return sum;
+  }
+  // A circular arc: the phase of the curvature rate is below rounding.
+  if (std::abs(a) < 1e-20) return unit(0.5 * b) * (std::sin(0.5 * b) / (0.5 * b));
+  if (a < 0.0) return std::conj(clothoid_integral(-b, -a));
+  if (b + a <= 0.0) return unit(b + 0.5 * a) * clothoid_integral(-(b + a), a);  // run backwards: u -> 1 - u
+  return by_tails(b, a);
+}
+
+std::array<Complex, 3> clothoid_moments(double heading, double b, double a) {
+  const int panels = 1 + static_cast<int>((std::abs(b) + 0.5 * std::abs(a)) / phase_of_panel);
+  std::array<Complex, 3> moments{};
+  for (int k = 0; k < panels; ++k)
+    for_gauss_nodes(static_cast<double>(k) / panels, 1.0 / panels, [&](double u, double weight) {
+      const Complex value = weight * unit(heading + (b + 0.5 * a * u) * u);
+      moments[0] += value;
+      moments[1] += u * value;
+      moments[2] += u * u * value;
+    });
+  return moments;
+}
+
+Vec2 clothoid_displacement(double angle, double curvature, double curvature_rate, double s) {
+  const Complex d = s * unit(angle) * clothoid_integral(curvature * s, curvature_rate * s * s);
+  return {d.real(), d.imag()};
+}
+
+Jet ClothoidSegment::jet(double t, int order) const {
+  const double length = form_.length, s = length * t;
+  const double kappa = form_.curvature + form_.curvature_rate * s;
+  const double rate = form_.curvature_rate;
+  const double heading = form_.angle + (form_.curvature + 0.5 * rate * s) * s;
+  const Vec2 tangent(std::cos(heading), std::sin(heading));
+  const Vec2 normal = left_normal(tangent);
+  // d/ds of tangent is kappa normal, of normal -kappa tangent.
+  Jet jet;
+  jet.d[0] = form_.start + clothoid_displacement(form_.angle, form_.curvature, rate, s);
+  const double l2 = length * length;
+  if (order >= 1) jet.d[1] = length * tangent;
+  if (order >= 2) jet.d[2] = l2 * kappa * normal;
+  if (order >= 3) jet.d[3] = l2 * length * (rate * normal - kappa * kappa * tangent);
+  if (order >= 4) jet.d[4] = -l2 * l2 * (3.0 * kappa * rate * tangent + kappa * kappa * kappa * normal);
+  return jet;
+}
+
+}  // namespace kappabench

@@ -1,0 +1,116 @@
+#include "schemes/spiro/spiro.hpp"
+
+#include <bezctx.h>
+#include <fmt/format.h>
+#include <spiroentrypoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/spans.hpp"
+
+namespace kappabench {
+
+SchemeInfo Spiro::describe() {
+  return {
+      .id = "spiro",
+      .title = "Euler-spiral spline of libspiro",
+      .citation =
+          "Levien, From spiral to spline: optimal techniques in interactive curve design, PhD thesis, University of "
+          "California, Berkeley, 2009",
+      .traits = {.fewest_open_points = 2, .continuity = Continuity::g2}};
+}
+
+Spiro::Spiro(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}
+
+namespace {
+
+struct FreeSpiro {
+  void operator()(spiro_seg* segments) const { free_spiro(segments); }
+};
+using Solution = std::unique_ptr<spiro_seg, FreeSpiro>;
+
+/// libspiro's answer for points that are all joined with continuous curvature; null if it did not converge.
+Solution run_libspiro(const Input& input) {
+  std::vector<spiro_cp> points;
+  for (const Vec2& p : input.points) points.push_back({p.x(), p.y(), SPIRO_G2});
+  if (!input.closed) {
+    points.front().ty = SPIRO_OPEN_CONTOUR;
+    points.back().ty = SPIRO_END_OPEN_CONTOUR;
+  }
+  std::array<double, 6> scale_and_offset{-1.0};  // to be chosen by the library
+  return Solution(run_spiro0(points.data(), scale_and_offset.data(), 0, input.size()));
+}
+
+/// libspiro gives curvature k0 + k1 s over s in [-1/2, 1/2] for unit length; length and direction follow from the
+/// chord.
+ClothoidForm clothoid_between(const Vec2& p0, const Vec2& p1, double k0, double k1) {
+  const double start = k0 - 0.5 * k1, heading = -0.5 * k0 + 0.125 * k1;
+  const Vec2 unit = clothoid_displacement(heading, start, k1, 1.0), chord = p1 - p0;
+  const double length = chord.norm() / unit.norm();
+  return {.start = p0,
+          .angle = std::atan2(chord.y(), chord.x()) - std::atan2(unit.y(), unit.x()) + heading,
+          .curvature = start / length,
+          .curvature_rate = k1 / (length * length),
+          .length = length};
+}
+
+/// The largest jump at the points: of heading in radians, or of curvature times the shorter of the two clothoids.
+double largest_jump(std::span<const ClothoidForm> clothoids, bool closed) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < clothoids.size(); ++i) {
+    const ClothoidForm &a = clothoids[i], &b = clothoids[(i + 1) % clothoids.size()];
+    const double heading = a.angle + (a.curvature + 0.5 * a.curvature_rate * a.length) * a.length;
+    const double bend = a.curvature + a.curvature_rate * a.length - b.curvature;
+    for (const double jump : {std::abs(std::remainder(heading - b.angle, 2.0 * std::numbers::pi)),
+                              std::abs(bend) * std::min(a.length, b.length)})
+      largest = std::isfinite(jump) ? std::max(largest, jump) : std::numeric_limits<double>::infinity();
+  }
+  return largest;
+}
+
+}  // namespace
+
+Fit Spiro::solve(const Input& input) const {
+  const auto failed = [&input](std::string message) -> Fit {
+    return {
+        .input = input, .curve = std::nullopt, .report = {.outcome = Outcome::failed, .message = std::move(message)}};
+  };
+  const Solution solution = run_libspiro(input);
+  if (!solution) return failed("libspiro did not converge; points with gentler turns may help");
+  const std::size_t n = input.points.size();
+  std::vector<ClothoidForm> clothoids;
+  for (std::size_t i = 0; i < (input.closed ? n : n - 1); ++i) {
+    const double* k = solution.get()[i].ks;
+    clothoids.push_back(clothoid_between(input.points[i], input.points[(i + 1) % n], k[0], k[1]));
+  }
+  Report report{.outcome = Outcome::converged, .residual = largest_jump(clothoids, input.closed)};
+  if (!std::isfinite(report.residual)) return failed("libspiro's solution is not finite; rescale the drawing");
+  constexpr double allowed = 1e-7;
+  if (report.residual > allowed) {
+    report.outcome = Outcome::not_converged;
+    report.message =
+        fmt::format("libspiro's solution leaves a jump of {:.1e} in heading or curvature", report.residual);
+  }
+
+  std::vector<SpanPieces> spans;
+  spans.reserve(clothoids.size());
+  for (const ClothoidForm& clothoid : clothoids)
+    spans.push_back({.segments = {std::make_shared<ClothoidSegment>(clothoid)},
+                     .inside = Continuity::g2,
+                     .at_end = Continuity::g2});
+  return {.input = input, .curve = curve_of_spans(std::move(spans), input.closed), .report = std::move(report)};
+}
+
+void register_spiro(Registry& registry) { registry.add<Spiro>(); }
+
+}  // namespace kappabench
