@@ -1,11 +1,13 @@
 #include "schemes/pkappa/global.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
-#include "schemes/pkappa/fair_start.hpp"
 #include "schemes/pkappa/soundness.hpp"
+#include "schemes/pkappa/starts.hpp"
+#include "schemes/pkappa/system.hpp"
 
 namespace kappabench::pkappa {
 namespace {
@@ -25,50 +27,146 @@ Chain bare_chain(std::span<const Vec2> points, bool closed, const Vec2& origin, 
   return chain;
 }
 
-/// Weighted energy of every segment on the fine rule.
+/// The part of a chain of `count` segments from `first` on, what lies beyond held.
+Chain extract(const Chain& chain, std::size_t first, std::size_t count) {
+  const std::size_t n = chain.size();
+  Chain part;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % n;
+    part.joints.push_back(chain.joints[i]);
+    part.freedom.push_back(chain.freedom[i]);
+    part.points.push_back(chain.points[i]);
+    part.t.push_back(chain.t[i]);
+    part.t_least.push_back(chain.t_least[i]);
+    part.t_most.push_back(chain.t_most[i]);
+    if (!chain.middles.empty()) part.middles.push_back(chain.middles[i]);
+  }
+  const std::size_t end = chain.end_joint((first + count - 1) % n);
+  part.joints.push_back(chain.joints[end]);
+  part.freedom.push_back(chain.freedom[end]);
+  if (part.freedom.front() == Freedom::all) part.freedom.front() = Freedom::none;
+  if (part.freedom.back() == Freedom::all) part.freedom.back() = Freedom::none;
+  return part;
+}
+
+/// Puts the inner joints and the segments of a part back.
+void insert(const Chain& part, std::size_t first, Chain& chain) {
+  const std::size_t n = chain.size();
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const std::size_t i = (first + k) % n;
+    chain.joints[i] = part.joints[k];
+    chain.t[i] = part.t[k];
+    chain.t_least[i] = part.t_least[k];
+    chain.t_most[i] = part.t_most[k];
+    if (!chain.middles.empty()) chain.middles[i] = part.middles[k];
+  }
+  chain.joints[chain.end_joint((first + part.size() - 1) % n)] = part.joints.back();
+}
+
+/// E_p of every segment on the fine rule.
 template <Continuity K>
-std::vector<double> true_energies(const Chain& chain, const Weights& weights) {
+std::vector<double> parabola_energies(const Chain& chain) {
   SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
-  std::vector<double> e(chain.size());
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    e[i] = energy.terms(polygon<K>(chain, i), chain.t[i]).weighted(weights);
+  std::vector<double> e;
+  for (std::size_t i = 0; i < chain.size(); ++i) e.push_back(energy.terms(polygon<K>(chain, i), chain.t[i]).parabola);
   return e;
 }
 
-/// Takes from `b` the joints where `b` is locally much better than `a`: over the two segments beside the joint and
-/// their neighbours. Both chains solve the same problem. Returns the number of segments that changed hands.
+/// Solves the surroundings of every segment of large E_p, worst first, from other starts, and keeps what is better.
 template <Continuity K>
-int patch(Chain& a, const Chain& b, const Weights& weights) {
-  constexpr double clearly = 0.9;
-  constexpr std::ptrdiff_t reach = 2;
-  const std::vector<double> ea = true_energies<K>(a, weights), eb = true_energies<K>(b, weights);
-  const auto n = static_cast<std::ptrdiff_t>(a.size());
-  const auto near = [&](const std::vector<double>& e, std::ptrdiff_t joint) {
-    double sum = 0.0;
-    for (std::ptrdiff_t k = joint - reach; k < joint + reach; ++k) {
-      if (a.cyclic)
-        sum += e[static_cast<std::size_t>(((k % n) + n) % n)];
-      else if (k >= 0 && k < n)
-        sum += e[static_cast<std::size_t>(k)];
+void repair(Chain& chain, const WindowSettings& settings, GlobalReport& report) {
+  constexpr double large = 0.02;
+  constexpr std::size_t reach = 3;
+  const std::size_t n = chain.size();
+  const std::vector<double> before = parabola_energies<K>(chain);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(before[i] < large)) order.push_back(i);
+  std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return before[i]; });
+  ChainSystem<K> exact(fine_gauss_rule(), settings.weights);
+  for (const std::size_t i : order) {
+    const bool whole = n <= 2 * reach + 1;
+    std::size_t first = chain.cyclic ? (i + n - std::min(reach, n)) % n : i - std::min(i, reach);
+    const std::size_t count =
+        whole ? n - (chain.cyclic ? 0 : first) : std::min(2 * reach + 1, chain.cyclic ? n : n - first);
+    Chain best = extract(chain, first, count);
+    const Chain given = best;
+    double energy = exact.value(best);
+    bool improved = false;
+    for (std::optional<Chain> start : {std::optional(given), fair_start<K>(given), polygonal_start<K>(given)}) {
+      if (!start) continue;
+      const Minimum m = minimise<K>(Solver::lm, *start, fine_gauss_rule(),
+                                    {settings.weights, settings.first_iterations, settings.tolerance});
+      report.iterations += m.iterations;
+      if (!(m.energy < 0.999 * energy)) continue;
+      energy = m.energy;
+      best = std::move(*start);
+      improved = true;
     }
-    return sum;
-  };
-  int patched = 0;
-  std::vector<char> take(a.joints.size());
-  for (std::size_t k = 0; k < take.size(); ++k)
-    take[k] = near(eb, static_cast<std::ptrdiff_t>(k)) < clearly * near(ea, static_cast<std::ptrdiff_t>(k));
-  for (std::size_t k = 0; k < take.size(); ++k)
-    if (take[k]) a.joints[k] = b.joints[k];
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!take[i] && !take[a.end_joint(i)]) continue;
-    if (eb[i] >= ea[i]) continue;
-    ++patched;
-    a.t[i] = b.t[i];
-    a.t_least[i] = b.t_least[i];
-    a.t_most[i] = b.t_most[i];
-    if (!a.middles.empty()) a.middles[i] = b.middles[i];
+    if (!improved) continue;
+    insert(best, first, chain);
+    ++report.repaired;
   }
-  return patched;
+}
+
+/// Whether a block still has something to gain: more than a small part of the mean energy of a segment.
+template <Continuity K>
+std::vector<char> unsettled_segments(const Chain& chain, const QuadratureRule& rule, const Weights& weights) {
+  constexpr double damping = 1e-6, small = 1e-6;
+  ChainSystem<K> system(rule, weights);
+  typename ChainSystem<K>::Step step;
+  const double mean = system.linearise(chain, {}) / static_cast<double>(chain.size());
+  std::vector<char> unsettled(chain.size(), 1);
+  if (!system.step(chain, damping, step)) return unsettled;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    unsettled[i] = std::abs(system.predicted_decrease(step, damping, i)) > small * mean;
+  return unsettled;
+}
+
+struct Range {
+  std::size_t first, count;
+};
+
+/// Windows over the marked segments: runs of them, cut where they are long, each widened by `reach` on both sides.
+std::vector<Range> windows_over(const std::vector<char>& marked, std::size_t longest, std::size_t reach) {
+  std::vector<Range> windows;
+  const std::size_t n = marked.size();
+  for (std::size_t i = 0; i < n;) {
+    if (!marked[i]) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < n && end - i < longest && marked[end]) ++end;
+    const std::size_t from = i - std::min(i, reach);
+    windows.push_back({from, std::min(end + reach, n) - from});
+    i = end;
+  }
+  return windows;
+}
+
+/// Minimises a long chain: as a whole while that pays, then in windows over what has not settled, each with a damping
+/// of its own so that a bad spot does not slow the rest, then as a whole again.
+template <Continuity K>
+Minimum settle(Chain& chain, const QuadratureRule& rule, const Weights& weights, double tolerance, int iterations) {
+  constexpr double rough = 1e-3, by_parts = 1e-7, near = 1e-6, enough = 1e-7;
+  constexpr std::size_t short_chain = 32, longest = 16, reach = 4;
+  constexpr int sweeps = 3, steps = 4;
+  if (chain.size() <= short_chain) return minimise<K>(Solver::lm, chain, rule, {weights, iterations, tolerance});
+  Minimum whole = minimise<K>(Solver::lm, chain, rule, {weights, iterations, rough});
+  for (int sweep = 0; tolerance < rough && sweep < sweeps && !(whole.decrease < enough && sweep > 0); ++sweep) {
+    for (const Range& w : windows_over(unsettled_segments<K>(chain, rule, weights), longest, reach)) {
+      Chain part = extract(chain, w.first, w.count);
+      minimise<K>(Solver::lm, part, rule, {weights, iterations, by_parts});
+      insert(part, w.first, chain);
+    }
+    const int before = whole.iterations;
+    whole = minimise<K>(Solver::lm, chain, rule, {weights, std::min(iterations, steps), tolerance, near});
+    whole.iterations += before;
+  }
+  // The last steps need not reach the tolerance: what they still promise says how near they came.
+  whole.converged = whole.converged || whole.decrease < enough;
+  return whole;
 }
 
 }  // namespace
@@ -82,37 +180,36 @@ Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const Window
   unit = settings.raw_units ? 1.0 : unit / static_cast<double>(chords);
   const Vec2 origin = points.front();
 
-  Chain chain = bare_chain(points, closed, origin, unit);
-  set_boxes(chain, chord_parameters(chain));
-  const bool fair = make_fair<K>(chain);
-  Chain other = bare_chain(points, closed, origin, unit);
-  const bool polygonal = make_polygonal<K>(other);
+  const Chain bare = bare_chain(points, closed, origin, unit);
+  std::optional<Chain> start = fair_start<K>(bare);
+  if (!start) start = polygonal_start<K>(bare);
+  if (!start) return {};
+  Chain chain = std::move(*start);
 
   const Weights reduced{settings.second_weights * settings.weights.edges,
                         settings.second_weights * settings.weights.length};
   const auto phase = [&](Chain& c, const QuadratureRule& rule, const Weights& weights, int iterations,
                          double tolerance) {
-    const Minimum m = minimise<K>(Solver::lm, c, rule, {weights, iterations, tolerance});
+    const Minimum m = settle<K>(c, rule, weights, tolerance, iterations);
     report.iterations += m.iterations;
     report.converged = m.converged;
     report.trace.push_back(m.energy / static_cast<double>(c.size()));
   };
   constexpr double rough = 1e-3;
-  if (fair) phase(chain, *settings.rule, settings.weights, settings.first_iterations, rough);
-  Verification v = verify<K>(chain, *settings.rule);
+  phase(chain, *settings.rule, settings.weights, settings.first_iterations, rough);
   const QuadratureRule* rule = settings.rule;
-  if (!fair || !v.sound || v.worst_parabola > 0.01) {
+  constexpr int most_rounds = 3;
+  for (int round = 0; round < most_rounds && !verify<K>(chain, *rule).good(); ++round) {
+    repair<K>(chain, settings, report);
     rule = &fine_gauss_rule();
-    if (polygonal) phase(other, *rule, settings.weights, settings.first_iterations, rough);
-    if (polygonal) report.patched = patch<K>(chain, other, settings.weights);
-    if (!restore_interpolation<K>(chain)) chain = other;
+    phase(chain, *rule, settings.weights, settings.first_iterations, rough);
   }
-  phase(chain, *rule, settings.weights, settings.first_iterations, 1e-7);
+  // Stage 1 only prepares stage 2, unless there is none.
+  const bool one_stage = settings.second_iterations == 0;
+  phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
   Chain second = chain;
-  phase(second, *rule, reduced, settings.second_iterations, settings.tolerance);
-  v = verify<K>(second, *rule);
-  if (v.sound) chain = std::move(second);
-  report.sound = verify<K>(chain, *rule).sound;
+  if (!one_stage) phase(second, *rule, reduced, settings.second_iterations, settings.tolerance);
+  if (verify<K>(second, *rule).sound) chain = std::move(second);
 
   Spline<K> spline{.t = chain.t};
   for (std::size_t i = 0; i < chain.size(); ++i)

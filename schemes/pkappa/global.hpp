@@ -8,8 +8,7 @@ namespace kappabench::pkappa {
 
 struct GlobalReport {
   int iterations = 0;
-  int patched = 0;  ///< segments that took the second start's solution
-  bool sound = false;
+  int repaired = 0;  ///< surroundings of bad segments that another start solved better
   bool converged = false;
   std::vector<double> trace{};  ///< weighted energy over the number of segments after each phase
 };

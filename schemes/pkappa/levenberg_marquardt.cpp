@@ -18,8 +18,8 @@ Minimum minimise_lm(Chain& chain, const QuadratureRule& rule, const MinimiseOpti
   if (!std::isfinite(minimum.energy)) return minimum;
 
   // Damping as Nielsen 1999 controls it.
-  constexpr double first_damping = 1e-3, most_damping = 1e12;
-  double damping = first_damping, growth = 2.0;
+  constexpr double most_damping = 1e12;
+  double damping = options.first_damping, growth = 2.0;
   while (minimum.iterations < options.max_iterations && damping < most_damping) {
     ++minimum.iterations;
     const auto reject = [&] {

@@ -11,7 +11,7 @@ void LocalReport::add(const WindowReport& window) {
   iterations += window.iterations;
   fallbacks += window.fell_back;
   reverted += window.second_stage_reverted;
-  unsound += !window.sound;
+  unsound += !window.verification.sound;
   unfinished += !window.converged;
 }
 
@@ -45,6 +45,30 @@ WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool c
   return report;
 }
 
+/// Solves the window of an insertion, three segments: the last ones of an open spline, or those round the first point
+/// of a closed one. What a frozen segment makes impossible may be possible without it: a bad window is widened.
+template <Continuity K>
+void solve_and_widen(Spline<K>& spline, std::span<const Vec2> points, bool closed, const WindowSettings& settings,
+                     LocalReport& report) {
+  constexpr std::size_t usual = 3, widest = 7;
+  const std::size_t n = spline.t.size();
+  const auto solve = [&](Spline<K>& attempt, std::size_t count) {
+    const std::size_t first = closed ? n - count / 2 : n - count;
+    const WindowReport window = solve_range<K>(attempt, points, closed, first, count, settings);
+    report.add(window);
+    return window.verification;
+  };
+  Verification best = solve(spline, std::min(n, usual));
+  for (std::size_t count = usual + 2; settings.robust && !best.good() && count <= std::min(n, widest); count += 2) {
+    Spline<K> attempt = spline;
+    const Verification found = solve(attempt, count);
+    if (found.sound < best.sound || !(found.worst_parabola < best.worst_parabola)) continue;
+    ++report.widened;
+    spline = std::move(attempt);
+    best = found;
+  }
+}
+
 /// Inserts the last of `points` into the open spline through the others: Eq. (7) with the start of Section 5.2.1.
 template <Continuity K>
 void append(Spline<K>& spline, std::span<const Vec2> points, const WindowSettings& settings, LocalReport& report) {
@@ -65,21 +89,7 @@ void append(Spline<K>& spline, std::span<const Vec2> points, const WindowSetting
   }
   if (n >= 3) make_parametric<K>(spline.control[n - 3], spline.control[n - 2]);
 
-  const std::size_t count = std::min<std::size_t>(n, 3);
-  WindowReport window = solve_range<K>(spline, points, false, n - count, count, settings);
-  report.add(window);
-  if (!settings.robust || window.good()) return;
-  // What a frozen segment makes impossible may be possible without it.
-  constexpr std::size_t widest = 7;
-  for (std::size_t wider = count + 2; wider <= std::min(n, widest) && !window.good(); wider += 2) {
-    Spline<K> attempt = spline;
-    const WindowReport again = solve_range<K>(attempt, points, false, n - wider, wider, settings);
-    report.add(again);
-    if (again.sound < window.sound || !(again.worst_parabola < window.worst_parabola)) continue;
-    ++report.widened;
-    spline = std::move(attempt);
-    window = again;
-  }
+  solve_and_widen<K>(spline, points, false, settings, report);
 }
 
 template <Continuity K>
@@ -184,7 +194,6 @@ Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& s
   std::vector<Vec2> round(points.begin(), points.end());
   round.push_back(points.front());
   const Spline<K> open = construct_open<K>(round, settings, report);
-  const std::size_t n = points.size();
   const Spline<K> three = between<K>(open.control.back(), open.t.back(), points.back(), points.front(),
                                      open.control.front(), open.t.front(), points[1]);
   Spline<K> closed;
@@ -194,7 +203,7 @@ Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& s
   closed.t.insert(closed.t.end(), open.t.begin() + 1, open.t.end() - 1);
   closed.control.push_back(three.control[0]);
   closed.t.push_back(three.t[0]);
-  report.add(solve_range<K>(closed, points, true, n - 1, 3, settings));
+  solve_and_widen<K>(closed, points, true, settings, report);
   return closed;
 }
 

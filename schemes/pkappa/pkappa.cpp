@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "schemes/api/registry.hpp"
 #include "schemes/pkappa/global.hpp"
 #include "schemes/pkappa/local.hpp"
+#include "schemes/pkappa/soundness.hpp"
 #include "schemes/segments/polynomial.hpp"
 
 namespace kappabench {
@@ -156,7 +158,7 @@ double interpolation_residual(const Input& input, const Curve& curve) {
 }
 
 template <Continuity K>
-Fit finish(const Input& input, const Spline<K>& spline, bool sound, int iterations) {
+Fit finish(const Input& input, const Spline<K>& spline, int iterations) {
   constexpr double accuracy = 1e-10;
   Fit fit{.input = input, .curve = std::nullopt, .report = {.iterations = iterations}};
   const auto finite = [](const auto& control) { return control.allFinite(); };
@@ -168,6 +170,12 @@ Fit finish(const Input& input, const Spline<K>& spline, bool sound, int iteratio
   fit.curve = assemble<K>(input, spline);
   fit.report.residual = interpolation_residual(input, *fit.curve);
   const bool interpolates = fit.report.residual <= accuracy;
+  constexpr int degree = Layout<K>::degree;
+  const std::span<const Vec2> points(input.points);
+  const bool sound =
+      pkappa::verify<degree>(std::span<const ControlPolygon<degree>>(spline.control), spline.t,
+                             input.closed ? points : points.subspan(1), mean_chord(input), pkappa::fine_gauss_rule())
+          .sound;
   fit.report.outcome = sound && interpolates ? Outcome::converged : Outcome::not_converged;
   if (!interpolates)
     fit.report.message = fmt::format("misses its points by {:.2g} mean chords", fit.report.residual);
@@ -178,10 +186,10 @@ Fit finish(const Input& input, const Spline<K>& spline, bool sound, int iteratio
 
 template <Continuity K>
 Fit finish_local(const Input& input, const Spline<K>& spline, const pkappa::LocalReport& report) {
-  Fit fit = finish<K>(input, spline, report.unsound == 0, report.iterations);
-  fit.report.counters = {{"windows", report.windows}, {"fallbacks", report.fallbacks},
-                         {"widened", report.widened}, {"stage2_reverted", report.reverted},
-                         {"unsound", report.unsound}, {"iteration_limit", report.unfinished}};
+  Fit fit = finish<K>(input, spline, report.iterations);
+  fit.report.counters = {{"windows", report.windows},         {"fallbacks", report.fallbacks},
+                         {"widened", report.widened},         {"stage2_reverted", report.reverted},
+                         {"unsound_windows", report.unsound}, {"iteration_limit", report.unfinished}};
   return fit;
 }
 
@@ -212,9 +220,9 @@ Fit PkappaScheme::solve(const Input& input) const {
     if (is_global(parameters())) {
       pkappa::GlobalReport report;
       const Spline<K> spline = pkappa::solve_globally<K>(input.points, input.closed, settings, report);
-      Fit fit = finish<K>(input, spline, report.sound, report.iterations);
+      Fit fit = finish<K>(input, spline, report.iterations);
       fit.report.trace = std::move(report.trace);
-      fit.report.counters = {{"patched", report.patched}, {"iteration_limit", report.converged ? 0 : 1}};
+      fit.report.counters = {{"repaired", report.repaired}, {"iteration_limit", report.converged ? 0 : 1}};
       return fit;
     }
     pkappa::LocalReport report;
@@ -230,8 +238,8 @@ Fit PkappaScheme::resolve(const Fit& fit, const Edit& edit) const {
   return with_continuity(continuity_of(parameters()), [&]<Continuity K>() {
     Spline<K> spline = disassemble<K>(*fit.curve);
     pkappa::LocalReport report;
-    if (!pkappa::edit_locally<K>(spline, edited.points, edited.closed, edit, settings_of(parameters()), report))
-      return solve(edited);
+    const WindowSettings settings = settings_of(parameters());
+    if (!pkappa::edit_locally<K>(spline, edited.points, edited.closed, edit, settings, report)) return solve(edited);
     return finish_local<K>(edited, spline, report);
   });
 }

@@ -64,6 +64,11 @@ const QuadratureRule& fine_gauss_rule() {
   return rule;
 }
 
+const QuadratureRule& finest_gauss_rule() {
+  static const QuadratureRule rule = composite_gauss(8);
+  return rule;
+}
+
 const QuadratureRule& simpson_rule() {
   static const QuadratureRule rule = composite_simpson(100);
   return rule;

@@ -37,8 +37,11 @@ class QuadratureRule {
 /// Gauss-Legendre with 32 nodes: what the integrals are minimised with.
 [[nodiscard]] const QuadratureRule& gauss_rule();
 
-/// Gauss-Legendre on 4 panels of 32 nodes: what a result is verified with.
+/// Gauss-Legendre on 4 panels of 32 nodes: where that is not enough.
 [[nodiscard]] const QuadratureRule& fine_gauss_rule();
+
+/// Gauss-Legendre on 8 panels of 32 nodes: what results are verified with.
+[[nodiscard]] const QuadratureRule& finest_gauss_rule();
 
 /// Wang 2024, Section 6.1: composite Simpson on 100 sub-intervals, each with its midpoint: 201 nodes.
 [[nodiscard]] const QuadratureRule& simpson_rule();

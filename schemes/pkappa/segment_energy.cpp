@@ -163,7 +163,7 @@ void SegmentEnergy<Degree>::normal(const ControlPolygon<Degree>& control, double
   }
   // The part of the derivatives that the parabola cannot take up; the residual has no other.
   const Eigen::Matrix<double, size, 2> taken = by_parabola * parabola_gram_.inverse();
-  out.hessian.noalias() -= taken * by_parabola.transpose();
+  out.hessian.noalias() -= taken.lazyProduct(by_parabola.transpose());
 
   const Edges<Degree> e = edges_of<Degree>(control);
   add_edges<Degree>(e, weights.edges, out);

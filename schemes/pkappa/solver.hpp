@@ -20,6 +20,8 @@ struct MinimiseOptions {
   int max_iterations = 200;
   /// Stops when the model promises a relative decrease of the weighted energy of less than this.
   double tolerance = 1e-12;
+  /// Of lm: small near a minimum, where full steps are right.
+  double first_damping = 1e-3;
 };
 
 struct Minimum {

@@ -2,31 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "schemes/pkappa/segment_energy.hpp"
 
 namespace kappabench::pkappa {
 
-template <Continuity K>
-Verification verify(const Chain& chain, const QuadratureRule& rule) {
-  constexpr int degree = Layout<K>::degree;
+template <int Degree>
+Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
+                    std::span<const Vec2> points, double unit, const QuadratureRule& rule) {
   constexpr double agreement = 0.02, negligible = 1e-6, longest = 3.0;
-  SegmentEnergy<degree> coarse(rule), fine(fine_gauss_rule());
+  SegmentEnergy<Degree> coarse(rule), fine(finest_gauss_rule());
   Verification v{.sound = true};
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const ControlPolygon<degree> control = polygon<K>(chain, i);
-    const double expected = coarse.terms(control, chain.t[i]).parabola;
-    const double found = fine.terms(control, chain.t[i]).parabola;
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    const ControlPolygon<Degree>& c = control[i];
+    const double expected = unit * coarse.terms(c, t[i]).parabola, found = unit * fine.terms(c, t[i]).parabola;
     if (!(std::abs(found - expected) <= agreement * found + negligible)) v.sound = false;
     double edges = 0.0;
-    for (int j = 0; j < degree; ++j) edges += (control.col(j + 1) - control.col(j)).norm();
-    const double direct = (control.col(0) - chain.points[i]).norm() + (control.col(degree) - chain.points[i]).norm();
+    for (int j = 0; j < Degree; ++j) edges += (c.col(j + 1) - c.col(j)).norm();
+    const double direct = (c.col(0) - points[i]).norm() + (c.col(Degree) - points[i]).norm();
     if (edges > longest * direct) v.sound = false;
     v.worst_parabola = std::max(v.worst_parabola, found);
   }
   return v;
 }
 
+template <Continuity K>
+Verification verify(const Chain& chain, const QuadratureRule& rule) {
+  constexpr int degree = Layout<K>::degree;
+  std::vector<ControlPolygon<degree>> control;
+  for (std::size_t i = 0; i < chain.size(); ++i) control.push_back(polygon<K>(chain, i));
+  return verify<degree>(std::span<const ControlPolygon<degree>>(control), chain.t, chain.points, 1.0, rule);
+}
+
+template Verification verify<4>(std::span<const ControlPolygon<4>>, std::span<const double>, std::span<const Vec2>,
+                                double, const QuadratureRule&);
+template Verification verify<5>(std::span<const ControlPolygon<5>>, std::span<const double>, std::span<const Vec2>,
+                                double, const QuadratureRule&);
 template Verification verify<Continuity::c1>(const Chain&, const QuadratureRule&);
 template Verification verify<Continuity::g1>(const Chain&, const QuadratureRule&);
 template Verification verify<Continuity::c2>(const Chain&, const QuadratureRule&);

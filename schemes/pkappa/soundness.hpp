@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "schemes/pkappa/chain.hpp"
 
 namespace kappabench::pkappa {
@@ -10,8 +12,17 @@ struct Verification {
   /// would show), and no control polygon is much longer than the points demand.
   bool sound = false;
   double worst_parabola = 0.0;  ///< the largest E_p of a segment
+
+  /// Good enough, in units of the mean chord, not to look for anything better.
+  [[nodiscard]] bool good() const { return sound && worst_parabola < 0.05; }
 };
 
+/// Of segments that pass `points` at `t`; lengths are taken over `unit`.
+template <int Degree>
+[[nodiscard]] Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
+                                  std::span<const Vec2> points, double unit, const QuadratureRule& rule);
+
+/// Of a chain, which has the unit 1.
 template <Continuity K>
 [[nodiscard]] Verification verify(const Chain& chain, const QuadratureRule& rule);
 

@@ -1,10 +1,14 @@
-#include "schemes/pkappa/fair_start.hpp"
+#include "schemes/pkappa/starts.hpp"
 
 #include "schemes/curve/block_tridiagonal.hpp"
 #include "schemes/pkappa/bernstein.hpp"
 
 namespace kappabench::pkappa {
 
+namespace {
+
+/// Chord-length values of t: the share of its part of the polygon that a segment has before its point. Joints are taken
+/// to lie halfway between points; where a joint is fixed or an end point, its position is used.
 std::vector<double> chord_parameters(const Chain& chain) {
   const std::size_t n = chain.size();
   std::vector<double> t(n);
@@ -18,8 +22,6 @@ std::vector<double> chord_parameters(const Chain& chain) {
   }
   return t;
 }
-
-namespace {
 
 /// Unknowns of a block: position and edge of a joint, its second difference or the segment's middle point, and the
 /// multiplier of the segment's interpolation; the same for x and y.
@@ -87,7 +89,9 @@ void fix_joint(const Chain& chain, std::size_t k, System& system, std::span<Righ
 }  // namespace
 
 template <Continuity K>
-bool make_fair(Chain& chain) {
+std::optional<Chain> fair_start(const Chain& given) {
+  Chain chain = given;
+  set_boxes(chain, chord_parameters(chain));
   using L = Layout<K>;
   const std::size_t n = chain.size(), blocks = chain.joints.size();
   const PolygonMap<K> map;
@@ -125,7 +129,7 @@ bool make_fair(Chain& chain) {
     if constexpr (L::middle > 0) fix(system, right, n, 2, Vec2::Zero());
   }
   BlockTridiagonalSolver<block, 2> solver;
-  if (!solver.solve(system, right)) return false;
+  if (!solver.solve(system, right)) return std::nullopt;
   for (std::size_t k = 0; k < blocks; ++k) {
     Joint& joint = chain.joints[k];
     if (chain.freedom[k] == Freedom::none) continue;
@@ -136,11 +140,13 @@ bool make_fair(Chain& chain) {
     chain.middles.resize(n);
     for (std::size_t i = 0; i < n; ++i) chain.middles[i] = right[i].row(2);
   }
-  return restore_interpolation<K>(chain);
+  if (!restore_interpolation<K>(chain)) return std::nullopt;
+  return chain;
 }
 
 template <Continuity K>
-bool make_polygonal(Chain& chain) {
+std::optional<Chain> polygonal_start(const Chain& given) {
+  Chain chain = given;
   using L = Layout<K>;
   const std::size_t n = chain.size();
   // Edges from a joint to the point beside it: 2 of a quintic (c_2 is the point), 1 of a quartic (c_2 is the middle).
@@ -159,16 +165,17 @@ bool make_polygonal(Chain& chain) {
     }
   }
   if constexpr (L::middle > 0) chain.middles = chain.points;
-  return restore_interpolation<K>(chain);
+  if (!restore_interpolation<K>(chain)) return std::nullopt;
+  return chain;
 }
 
-template bool make_polygonal<Continuity::c1>(Chain&);
-template bool make_polygonal<Continuity::g1>(Chain&);
-template bool make_polygonal<Continuity::c2>(Chain&);
-template bool make_polygonal<Continuity::g2>(Chain&);
-template bool make_fair<Continuity::c1>(Chain&);
-template bool make_fair<Continuity::g1>(Chain&);
-template bool make_fair<Continuity::c2>(Chain&);
-template bool make_fair<Continuity::g2>(Chain&);
+template std::optional<Chain> polygonal_start<Continuity::c1>(const Chain&);
+template std::optional<Chain> polygonal_start<Continuity::g1>(const Chain&);
+template std::optional<Chain> polygonal_start<Continuity::c2>(const Chain&);
+template std::optional<Chain> polygonal_start<Continuity::g2>(const Chain&);
+template std::optional<Chain> fair_start<Continuity::c1>(const Chain&);
+template std::optional<Chain> fair_start<Continuity::g1>(const Chain&);
+template std::optional<Chain> fair_start<Continuity::c2>(const Chain&);
+template std::optional<Chain> fair_start<Continuity::g2>(const Chain&);
 
 }  // namespace kappabench::pkappa

@@ -75,20 +75,20 @@ void ChainSystem<K>::add_segment(const Chain& chain, std::size_t i) {
 
   auto& at_i = matrix_.diagonal[i];
   auto& at_j = matrix_.diagonal[j];
-  const Eigen::Matrix<double, side, L::joint> hs = h.template topLeftCorner<side, side>() * start;
-  at_i.template topLeftCorner<L::joint, L::joint>().noalias() += start.transpose() * hs;
-  const Eigen::Matrix<double, own, L::joint> mixed = h_own_start * start;
+  const Eigen::Matrix<double, side, L::joint> hs = h.template topLeftCorner<side, side>().lazyProduct(start);
+  at_i.template topLeftCorner<L::joint, L::joint>().noalias() += start.transpose().lazyProduct(hs);
+  const Eigen::Matrix<double, own, L::joint> mixed = h_own_start.lazyProduct(start);
   at_i.template block<own, L::joint>(L::middle_at, 0) += mixed;
   at_i.template block<L::joint, own>(0, L::middle_at) += mixed.transpose();
   at_i.template block<own, own>(L::middle_at, L::middle_at) += h_own;
 
-  const Eigen::Matrix<double, side, L::joint> he = h.template block<side, side>(end_at, end_at) * end;
-  at_j.template topLeftCorner<L::joint, L::joint>().noalias() += end.transpose() * he;
+  const Eigen::Matrix<double, side, L::joint> he = h.template block<side, side>(end_at, end_at).lazyProduct(end);
+  at_j.template topLeftCorner<L::joint, L::joint>().noalias() += end.transpose().lazyProduct(he);
 
   Eigen::Matrix<double, L::joint + own, L::joint> across;
-  const Eigen::Matrix<double, side, L::joint> hse = h.template block<side, side>(0, end_at) * end;
-  across.template topRows<L::joint>().noalias() = start.transpose() * hse;
-  across.template bottomRows<own>() = h_own_end * end;
+  const Eigen::Matrix<double, side, L::joint> hse = h.template block<side, side>(0, end_at).lazyProduct(end);
+  across.template topRows<L::joint>().noalias() = start.transpose().lazyProduct(hse);
+  across.template bottomRows<own>() = h_own_end.lazyProduct(end);
   matrix_.upper[i].template topLeftCorner<L::joint + own, L::joint>() += across;
   matrix_.lower[j].template topLeftCorner<L::joint, L::joint + own>() += across.transpose();
 
@@ -254,15 +254,18 @@ bool ChainSystem<K>::step(const Chain& chain, double damping, Step& out) {
 }
 
 template <Continuity K>
-double ChainSystem<K>::predicted_decrease(const Step& step, double damping) const {
+double ChainSystem<K>::predicted_decrease(const Step& step, double damping, std::size_t block_row) const {
   // |r|^2 - |r + J dx|^2 with (J^T J + mu D) dx + A^T y = -J^T r and A dx = 0.
   constexpr int unknowns = Layout<K>::multiplier_at;
+  const auto dx = step[block_row].template head<unknowns>();
+  return damping * dx.cwiseAbs2().dot(scale_[block_row].template head<unknowns>()) -
+         dx.dot(gradient_[block_row].template head<unknowns>());
+}
+
+template <Continuity K>
+double ChainSystem<K>::predicted_decrease(const Step& step, double damping) const {
   double sum = 0.0;
-  for (std::size_t k = 0; k < step.size(); ++k) {
-    const auto dx = step[k].template head<unknowns>();
-    sum += damping * dx.cwiseAbs2().dot(scale_[k].template head<unknowns>()) -
-           dx.dot(gradient_[k].template head<unknowns>());
-  }
+  for (std::size_t k = 0; k < step.size(); ++k) sum += predicted_decrease(step, damping, k);
   return sum;
 }
 

@@ -35,6 +35,8 @@ class ChainSystem {
 
   /// By how much the undamped model falls along a step of `step` with that damping.
   [[nodiscard]] double predicted_decrease(const Step& step, double damping) const;
+  /// The part of it that belongs to one block.
+  [[nodiscard]] double predicted_decrease(const Step& step, double damping, std::size_t block_row) const;
 
   /// Half the gradient of the energy, and the entry of half its second derivatives, bordered by the constraints', for
   /// two unknowns of the same or neighbouring blocks (else 0). Of an open chain.

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "schemes/pkappa/fair_start.hpp"
 #include "schemes/pkappa/soundness.hpp"
+#include "schemes/pkappa/starts.hpp"
 
 namespace kappabench::pkappa {
 namespace {
@@ -51,23 +51,6 @@ template <Continuity K>
 std::optional<Chain> published_start(const Chain& given) {
   Chain chain = given;
   if (!restore_interpolation<K>(chain)) return std::nullopt;
-  return chain;
-}
-
-template <Continuity K>
-std::optional<Chain> fair_start(const Chain& given) {
-  Chain chain = given;
-  for (std::size_t k = 0; k < chain.joints.size(); ++k)
-    if (chain.freedom[k] == Freedom::all) chain.joints[k] = {};
-  set_boxes(chain, chord_parameters(chain));
-  if (!make_fair<K>(chain)) return std::nullopt;
-  return chain;
-}
-
-template <Continuity K>
-std::optional<Chain> polygonal_start(const Chain& given) {
-  Chain chain = given;
-  if (!make_polygonal<K>(chain)) return std::nullopt;
   return chain;
 }
 
@@ -137,8 +120,7 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
     for (const auto& start : starts) first_stage.run({&start, 1}, fine_gauss_rule());
   }
   const Candidate& best = first_stage.best();
-  report.sound = best.verification.sound;
-  report.worst_parabola = best.verification.worst_parabola;
+  report.verification = best.verification;
   report.converged = best.converged;
   report.first_energy = best.energy;
   if (!std::isfinite(best.energy)) return report;
@@ -156,8 +138,7 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
     const Verification verification = verify<K>(second, *rule);
     if (settings.robust && !verification.sound) continue;
     result = std::move(second);
-    report.sound = verification.sound;
-    report.worst_parabola = verification.worst_parabola;
+    report.verification = verification;
     report.second_stage_reverted = false;
     break;
   }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "schemes/pkappa/chain.hpp"
 #include "schemes/pkappa/solver.hpp"
+#include "schemes/pkappa/soundness.hpp"
 
 namespace kappabench::pkappa {
 
@@ -40,13 +40,9 @@ struct WindowReport {
   int iterations = 0;
   bool fell_back = false;
   bool second_stage_reverted = false;
-  bool sound = true;
   bool converged = true;
-  double first_energy = 0.0;                                        ///< weighted, after stage 1, in the window's unit
-  double worst_parabola = std::numeric_limits<double>::infinity();  ///< the largest E_p of a segment, in the same unit
-
-  /// Good enough not to look for anything better.
-  [[nodiscard]] bool good() const { return sound && worst_parabola < 0.05; }
+  double first_energy = 0.0;    ///< weighted, after stage 1, in the window's unit
+  Verification verification{};  ///< of the result
 };
 
 /// Solves the window in two stages (Wang 2024, Section 5.3) and replaces `window.start` by the result. Control points

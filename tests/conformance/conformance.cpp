@@ -155,8 +155,8 @@ TEST_CASE("a refit is the fit of the edited input") {
          {Edit{Move{.point = 3, .to = input.points[3] + Vec2(0.05, 0.02)}},
           Edit{Insert{.before = 1, .at = 0.5 * (input.points[0] + input.points[1])}}, Edit{Erase{.point = 7}}}) {
       const Fit warm = scheme->refit(before, edit), cold = scheme->fit(apply(input, edit));
-      REQUIRE(warm.report.outcome == cold.report.outcome);
       if (!info.traits.refit_is_fit) continue;
+      REQUIRE(warm.report.outcome == cold.report.outcome);
       if (warm.curve && warm.curve->size() == cold.curve->size()) CHECK(distance(*warm.curve, *cold.curve) <= 1e-9);
     }
   }
