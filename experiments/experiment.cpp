@@ -16,6 +16,14 @@
 #include "experiments/ekappa_pinned.hpp"
 #include "experiments/ekappa_timing.hpp"
 #include "experiments/ekappa_trig_minima.hpp"
+#include "experiments/fpc_convergence.hpp"
+#include "experiments/fpc_features.hpp"
+#include "experiments/fpc_gallery.hpp"
+#include "experiments/fpc_inflection_h.hpp"
+#include "experiments/fpc_locality.hpp"
+#include "experiments/fpc_loop_size.hpp"
+#include "experiments/fpc_loops.hpp"
+#include "experiments/fpc_point_economy.hpp"
 #include "experiments/scaling.hpp"
 
 namespace kappabench {
@@ -31,6 +39,14 @@ std::span<const Experiment> all_experiments() {
                                                    ekappa_iterations_experiment(),
                                                    ekappa_applicability_experiment(),
                                                    ekappa_timing_experiment(),
+                                                   fpc_features_experiment(),
+                                                   fpc_loops_experiment(),
+                                                   fpc_convergence_experiment(),
+                                                   fpc_loop_size_experiment(),
+                                                   fpc_inflection_h_experiment(),
+                                                   fpc_gallery_experiment(),
+                                                   fpc_point_economy_experiment(),
+                                                   fpc_locality_experiment(),
                                                    compare_experiment(),
                                                    scaling_experiment()};
   return experiments;

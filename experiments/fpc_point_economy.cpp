@@ -1,0 +1,93 @@
+#include "experiments/fpc_point_economy.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "datasets/datasets.hpp"
+#include "experiments/fpc_common.hpp"
+#include "experiments/summaries.hpp"
+
+namespace kappabench {
+
+using namespace fpc;
+
+namespace {
+
+constexpr std::string_view about =
+    "A ring of twelve loops, once from twelve points of type loop, once from thirty-six points through which a "
+    "kappa-curve makes its loops by itself. Both the loops and where they close are counted on the exact curves.";
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> shown{
+    {{"ring-of-loops", "fpc"}, {"ring-of-loops-36", "kappa"}}};
+
+std::vector<CellJob> jobs(const Context& context) {
+  std::vector<CellJob> jobs;
+  jobs.reserve(shown.size() + 1);
+  for (const auto& [drawing, scheme] : shown)
+    jobs.push_back(
+        fit_job(open_drawings(drawing).front(), context.registry.create(scheme), {&find_metric("features")}));
+  return jobs;
+}
+
+struct Ring {
+  int cell = -1;
+  double points = 0.0, loops = 0.0, at_points = 0.0;
+};
+
+Ring ring_of(const store::ExperimentRecord& record, std::string_view dataset) {
+  for (std::size_t i = 0; i < record.cells.size(); ++i) {
+    const store::CellRecord& cell = record.cells[i];
+    if (cell.dataset != dataset || cell.curves.empty()) continue;
+    const store::CurveRecord& curve = cell.curves.front();
+    return {static_cast<int>(i), static_cast<double>(curve.point_x.size()), measured(curve, "loops").value_or(0.0),
+            measured(curve, "loops_at_nodes").value_or(0.0)};
+  }
+  return {};
+}
+
+void conclude(const Context&, store::ExperimentRecord& record) {
+  const Ring typed = ring_of(record, shown[0].first), plain = ring_of(record, shown[1].first);
+  TableBuilder builder("points", "Points for twelve loops",
+                       "A loop of a typed point has two numbers besides, α and β.");
+  builder.words("curve").counts("points").counts("loops").counts("loops that close at a point");
+  store::FigureRecord figure{.id = "fpc-point-economy",
+                             .title = "Twelve loops from twelve and from thirty-six points",
+                             .caption =
+                                 "Left: the FPC-curve of twelve points of type loop. Right: the κ-curve of "
+                                 "thirty-six points.",
+                             .columns = 2,
+                             .panels = {}};
+  for (const auto& [ring, words] : {std::pair(typed, "FPC"), std::pair(plain, "κ-curve")}) {
+    if (ring.cell < 0) continue;
+    builder.row({std::string(words), ring.points, ring.loops, ring.at_points});
+    figure.panels.push_back(curve_panel(ring.cell, fmt::format("{}, {:.0f} points", words, ring.points)));
+  }
+  record.tables = {builder.table()};
+  if (!figure.panels.empty()) record.figures = {std::move(figure)};
+  const bool both = typed.cell >= 0 && plain.cell >= 0 && plain.loops > 0.0;
+  const bool holds = typed.loops == plain.loops && typed.at_points == typed.loops && 3.0 * typed.points <= plain.points;
+  record.claims = {
+      claim("twelve-points",
+            !both   ? "not reproduced"
+            : holds ? "reproduced"
+                    : "contradicted",
+            fmt::format("{:.0f} points make {:.0f} loops, {:.0f} of them at points; {:.0f} points make "
+                        "{:.0f}, {:.0f} of them at points",
+                        typed.points, typed.loops, typed.at_points, plain.points, plain.loops, plain.at_points),
+            "Drawings ring-of-loops and ring-of-loops-36, our own stand-ins: that thirty-six points are "
+            "needed for a κ-curve is not tested.")};
+}
+
+}  // namespace
+
+Experiment fpc_point_economy_experiment() {
+  return {.id = "fpc-point-economy",
+          .title = "Twelve typed points and thirty-six plain ones (Chen 2019, Fig. 9)",
+          .about = std::string(about),
+          .jobs = jobs,
+          .conclude = conclude};
+}
+
+}  // namespace kappabench

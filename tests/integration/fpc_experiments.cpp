@@ -1,0 +1,212 @@
+// The experiments on FPC-curves: what they conclude, and that they conclude otherwise from other data.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "datasets/datasets.hpp"
+#include "experiments/ekappa_common.hpp"
+#include "experiments/experiment.hpp"
+#include "experiments/fpc_feature_check.hpp"
+#include "experiments/fpc_inputs.hpp"
+#include "reports/paper.hpp"
+#include "reports/tables.hpp"
+#include "schemes/segments/polynomial.hpp"
+#include "tests/catch.hpp"
+
+using namespace kappabench;
+
+namespace {
+
+Registry all_schemes() {
+  Registry registry;
+  register_all(registry);
+  return registry;
+}
+
+/// Runs an experiment in this process.
+store::ExperimentRecord computed(const std::string& id, const Context& context) {
+  const Experiment& experiment = find_experiment(id);
+  store::ExperimentRecord record{.id = id};
+  for (const CellJob& job : experiment.jobs(context)) {
+    store::CellRecord cell = job.compute();
+    cell.dataset = job.dataset;
+    cell.scheme = job.scheme;
+    cell.parameters = job.parameters;
+    cell.label = job.label;
+    record.cells.push_back(std::move(cell));
+  }
+  return record;
+}
+
+store::ExperimentRecord concluded(store::ExperimentRecord record, const Context& context) {
+  record.tables.clear();
+  record.figures.clear();
+  record.claims.clear();
+  find_experiment(record.id).conclude(context, record);
+  return record;
+}
+
+std::string verdict(const store::ExperimentRecord& record, const std::string& claim) {
+  for (const store::ClaimRecord& c : record.claims)
+    if (c.claim == claim) return c.verdict;
+  return "no such claim";
+}
+
+/// Changes every value of a column.
+void set_column(store::ExperimentRecord& record, const std::string& column, double value) {
+  for (store::CellRecord& cell : record.cells) {
+    for (store::MeasurementRecord& m : cell.measurements)
+      if (m.column == column) m.value = value;
+    for (store::CurveRecord& curve : cell.curves)
+      for (store::MeasurementRecord& m : curve.measurements)
+        if (m.column == column) m.value = value;
+  }
+}
+
+const std::vector<std::string> experiments{"fpc-features",     "fpc-loops",   "fpc-convergence",   "fpc-loop-size",
+                                           "fpc-inflection-h", "fpc-gallery", "fpc-point-economy", "fpc-locality"};
+
+}  // namespace
+
+TEST_CASE("fpc experiments: tables, figures and one verdict for every claim of the paper") {
+  const Registry registry = all_schemes();
+  const Context context{.registry = registry};
+  std::multiset<std::string> judged;
+  for (const std::string& id : experiments) {
+    INFO(id);
+    const store::ExperimentRecord record = concluded(computed(id, context), context);
+    const store::ExperimentRecord again = concluded(record, context);
+    CHECK(again.claims == record.claims);
+    CHECK(again.figures == record.figures);
+    REQUIRE(again.tables.size() == record.tables.size());
+    for (std::size_t i = 0; i < record.tables.size(); ++i)  // as text, because NaN is not equal to itself
+      CHECK(to_csv(again.tables[i]) == to_csv(record.tables[i]));
+    REQUIRE_FALSE(record.tables.empty());
+    for (const store::TableRecord& table : record.tables) {
+      REQUIRE_FALSE(table.columns.empty());
+      std::visit([](const auto& cells) { CHECK_FALSE(cells.empty()); }, table.columns.front().cells);
+    }
+    REQUIRE_FALSE(record.figures.empty());
+    for (const store::FigureRecord& figure : record.figures) CHECK_FALSE(figure.panels.empty());
+    for (const store::ClaimRecord& claim : record.claims) {
+      CHECK(claim.paper == "fpc-2019-chen");
+      CHECK_FALSE(claim.ours.empty());
+      judged.insert(claim.claim);
+    }
+    // A verdict needs data: with nothing measured, statements about curves are not reproduced.
+    store::ExperimentRecord empty{.id = id};
+    for (const store::ClaimRecord& claim : concluded(empty, context).claims)
+      if (claim.claim != "h-range") CHECK(claim.verdict == "not reproduced");
+  }
+  const Paper paper = read_paper(papers_folder() / "fpc-2019-chen.toml");
+  for (const PrintedClaim& claim : paper.claims) {
+    INFO(claim.id);
+    CHECK(judged.count(claim.id) == 1);
+  }
+  CHECK(judged.size() == paper.claims.size());
+}
+
+TEST_CASE("fpc experiments: verdicts follow the data") {
+  const Registry registry = all_schemes();
+  const Context context{.registry = registry};
+  struct Row {
+    std::string experiment, claim, column;
+    double value;
+    std::string before, after;
+  };
+  for (const Row& row :
+       {Row{"fpc-features", "cusps-and-loops-at-points", "misplaced loops", 1, "reproduced", "contradicted"},
+        Row{"fpc-features", "inflections-at-points-or-joints", "misplaced inflections", 1, "reproduced",
+            "contradicted"},
+        Row{"fpc-features", "points-have-their-type", "missing", 1, "reproduced", "contradicted"},
+        Row{"fpc-gallery", "g2-almost-everywhere", "misses", 1, "reproduced", "contradicted"},
+        Row{"fpc-loops", "three-points-two-loops", "loops_at_nodes", 1, "reproduced", "contradicted"},
+        Row{"fpc-loops", "kappa-needs-five", "open 4 most loops", 2, "reproduced", "contradicted"},
+        Row{"fpc-point-economy", "twelve-points", "loops", 11, "reproduced", "contradicted"},
+        Row{"fpc-loop-size", "loop-size", "loop 0.45", 0, "reproduced", "not reproduced"},
+        Row{"fpc-inflection-h", "h-size", "stretches", 0, "reproduced", "contradicted"},
+        Row{"fpc-inflection-h", "joint-system-regular", "condition as given", 10, "contradicted", "reproduced"},
+        Row{"fpc-convergence", "step-15", "difference at 15", 1e-7, "not reproduced", "reproduced"},
+        Row{"fpc-locality", "local-influence", "decay", 0.1, "not reproduced", "reproduced"}}) {
+    INFO(row.claim);
+    store::ExperimentRecord record = computed(row.experiment, context);
+    CHECK(verdict(concluded(record, context), row.claim) == row.before);
+    set_column(record, row.column, row.value);
+    CHECK(verdict(concluded(record, context), row.claim) == row.after);
+  }
+}
+
+TEST_CASE("fpc experiments: the check of features finds what is wrong") {
+  // A cubic with a loop, said to be of a regular point, and one with a cusp said to be an inflection.
+  const auto fit_of = [](const std::array<Vec2, 4>& control, PointType type, const Vec2& point, double t) {
+    Input input{.points = {control[0], point, control[3]}, .closed = false, .options = {}, .ids = {}};
+    input.options.resize(3);
+    input.options[1].type = type;
+    return Fit{
+        input,
+        Curve({std::make_shared<const PolynomialSegment>(control)}, {}, {{.point = 1, .segment = 0, .t = t}}, false),
+        {.outcome = Outcome::converged}};
+  };
+  const std::array<Vec2, 4> loop{Vec2(0, 0), Vec2(4, 3), Vec2(-3, 3), Vec2(1, 0)};
+  const fpc::FeatureCheck crossed = fpc::check_features(fit_of(loop, PointType::regular, {0.5, 2.25}, 0.5));
+  CHECK(crossed.misplaced_loops == 1);
+  CHECK_FALSE(crossed.holds());
+  const std::array<Vec2, 4> cusp{Vec2(0, 0), Vec2(1, 1), Vec2(0, 1), Vec2(1, 0)};
+  const fpc::FeatureCheck pointed = fpc::check_features(fit_of(cusp, PointType::inflection, {0.5, 0.75}, 0.5));
+  CHECK(pointed.misplaced_cusps == 1);
+  CHECK(pointed.missing == 1);
+  CHECK(fpc::check_features(fit_of(cusp, PointType::cusp, {0.5, 0.75}, 0.5)).holds());
+  const std::array<Vec2, 4> wave{Vec2(0, 0), Vec2(1, 1), Vec2(2, -1), Vec2(3, 0)};
+  CHECK(fpc::check_features(fit_of(wave, PointType::inflection, {1.5, 0.0}, 0.5)).holds());
+  CHECK(fpc::check_features(fit_of(wave, PointType::regular, {1.5, 0.0}, 0.5)).misplaced_inflections == 1);
+}
+
+// KAPPABENCH_FPC_INPUTS=10000 runs the full count, KAPPABENCH_FPC_SEED another sequence.
+TEST_CASE("fpc: random typed inputs are solved and have their features where they should be") {
+  const char* count = std::getenv("KAPPABENCH_FPC_INPUTS");
+  const char* from = std::getenv("KAPPABENCH_FPC_SEED");
+  const std::uint64_t inputs = count == nullptr ? 500 : std::strtoull(count, nullptr, 10);
+  const std::uint64_t seed = from == nullptr ? 20191 : std::strtoull(from, nullptr, 10);
+  const Registry registry = all_schemes();
+  const SchemePtr scheme = registry.create("fpc");
+  std::uint64_t solved = 0;
+  fpc::FeatureCheck total;
+  for (std::uint64_t i = 0; i < inputs; ++i) {
+    const Fit fit = scheme->fit(fpc::typed_random_input(seed, i));
+    if (fit.report.outcome != Outcome::converged) {
+      WARN("input " << i << ": " << fit.report.message);
+      continue;
+    }
+    ++solved;
+    CHECK(fit.report.residual <= 1e-12);
+    const fpc::FeatureCheck check = fpc::check_features(fit);
+    INFO("input " << i << ": " << check.first);
+    CHECK(check.holds());
+    total.cusps += check.cusps;
+    total.loops += check.loops;
+    total.inflections += check.inflections;
+    total.typed += check.typed;
+    total.thin_loops += check.thin_loops;
+  }
+  WARN("solved " << solved << " of " << inputs << "; " << total.cusps << " cusps, " << total.loops << " loops, "
+                 << total.inflections << " inflections in segments, " << total.typed << " typed points, "
+                 << total.thin_loops << " thin loops");
+  CHECK(static_cast<double>(solved) >= 0.99 * static_cast<double>(inputs));
+}
+
+TEST_CASE("fpc: random typed inputs depend on their arguments alone, and have all types") {
+  std::set<PointType> types;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Input a = fpc::typed_random_input(3, i), b = fpc::typed_random_input(3, i);
+    CHECK(a.points == b.points);
+    CHECK(a.options == b.options);
+    CHECK(a.size() >= 4);
+    CHECK(a.size() <= 12);
+    if (!a.closed) CHECK_FALSE(a.options.front().type.has_value());
+    for (const PointOptions& options : a.options)
+      if (options.type) types.insert(*options.type);
+  }
+  CHECK(types.size() == 4);
+}
