@@ -81,12 +81,12 @@ double largest_jump(std::span<const ClothoidForm> clothoids, bool closed) {
 }  // namespace
 
 Fit Spiro::solve(const Input& input) const {
-  const auto failed = [&input](std::string message) -> Fit {
-    return {
-        .input = input, .curve = std::nullopt, .report = {.outcome = Outcome::failed, .message = std::move(message)}};
+  const auto without_curve = [&input](Outcome outcome, std::string message) -> Fit {
+    return {.input = input, .curve = std::nullopt, .report = {.outcome = outcome, .message = std::move(message)}};
   };
   const Solution solution = run_libspiro(input);
-  if (!solution) return failed("libspiro did not converge; points with gentler turns may help");
+  if (!solution)
+    return without_curve(Outcome::not_converged, "libspiro did not converge; points with gentler turns may help");
   const std::size_t n = input.points.size();
   std::vector<ClothoidForm> clothoids;
   for (std::size_t i = 0; i < (input.closed ? n : n - 1); ++i) {
@@ -94,7 +94,8 @@ Fit Spiro::solve(const Input& input) const {
     clothoids.push_back(clothoid_between(input.points[i], input.points[(i + 1) % n], k[0], k[1]));
   }
   Report report{.outcome = Outcome::converged, .residual = largest_jump(clothoids, input.closed)};
-  if (!std::isfinite(report.residual)) return failed("libspiro's solution is not finite; rescale the drawing");
+  if (!std::isfinite(report.residual))
+    return without_curve(Outcome::failed, "libspiro's solution is not finite; rescale the drawing");
   constexpr double allowed = 1e-7;
   if (report.residual > allowed) {
     report.outcome = Outcome::not_converged;
