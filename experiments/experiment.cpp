@@ -24,6 +24,16 @@
 #include "experiments/fpc_loop_size.hpp"
 #include "experiments/fpc_loops.hpp"
 #include "experiments/fpc_point_economy.hpp"
+#include "experiments/pkappa_comparison.hpp"
+#include "experiments/pkappa_construction.hpp"
+#include "experiments/pkappa_continuity.hpp"
+#include "experiments/pkappa_gallery.hpp"
+#include "experiments/pkappa_locality.hpp"
+#include "experiments/pkappa_order_and_symmetry.hpp"
+#include "experiments/pkappa_solvers.hpp"
+#include "experiments/pkappa_stages.hpp"
+#include "experiments/pkappa_toy.hpp"
+#include "experiments/pkappa_weights.hpp"
 #include "experiments/scaling.hpp"
 
 namespace kappabench {
@@ -47,6 +57,16 @@ std::span<const Experiment> all_experiments() {
                                                    fpc_gallery_experiment(),
                                                    fpc_point_economy_experiment(),
                                                    fpc_locality_experiment(),
+                                                   pkappa_toy_experiment(),
+                                                   pkappa_construction_experiment(),
+                                                   pkappa_stages_experiment(),
+                                                   pkappa_weights_experiment(),
+                                                   pkappa_gallery_experiment(),
+                                                   pkappa_continuity_experiment(),
+                                                   pkappa_comparison_experiment(),
+                                                   pkappa_locality_experiment(),
+                                                   pkappa_order_and_symmetry_experiment(),
+                                                   pkappa_solvers_experiment(),
                                                    compare_experiment(),
                                                    scaling_experiment()};
   return experiments;
