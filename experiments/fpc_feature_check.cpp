@@ -32,7 +32,8 @@ std::array<Integers, 4> integer_points(const std::vector<Vec2>& control_points) 
     for (std::size_t c = 0; c < 2; ++c)
       if (const double v = control_points[i][static_cast<Eigen::Index>(c)]; v != 0.0) {
         const int exponent = std::ilogb(v) - 52;
-        points[i][c] = Integer(static_cast<long long>(std::ldexp(v, -exponent))) << (exponent - least);
+        points[i][c] = static_cast<long long>(std::ldexp(v, -exponent));
+        points[i][c] <<= exponent - least;
       }
   return points;
 }
