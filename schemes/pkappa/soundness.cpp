@@ -11,13 +11,15 @@ namespace kappabench::pkappa {
 template <int Degree>
 Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
                     std::span<const Vec2> points, double unit, const QuadratureRule& rule) {
-  constexpr double agreement = 0.02, negligible = 1e-6, longest = 3.0;
+  constexpr double agreement = 0.02, negligible = 1e-6, longest = 3.0, vanished = 1e-6;
   SegmentEnergy<Degree> coarse(rule), fine(finest_gauss_rule());
   Verification v{.sound = true};
   for (std::size_t i = 0; i < control.size(); ++i) {
     const ControlPolygon<Degree>& c = control[i];
     const double expected = unit * coarse.terms(c, t[i]).parabola, found = unit * fine.terms(c, t[i]).parabola;
     if (!(std::abs(found - expected) <= agreement * found + negligible)) v.sound = false;
+    const double shortest = std::min((c.col(1) - c.col(0)).norm(), (c.col(Degree) - c.col(Degree - 1)).norm());
+    if (!(shortest > vanished * unit)) v.sound = false;
     double edges = 0.0;
     for (int j = 0; j < Degree; ++j) edges += (c.col(j + 1) - c.col(j)).norm();
     const double direct = (c.col(0) - points[i]).norm() + (c.col(Degree) - points[i]).norm();
