@@ -38,7 +38,8 @@ CellJob job(std::string key, std::function<store::CellRecord()> compute) {
 
 /// Timings are the one thing that differs from run to run.
 store::Results without_timings(store::Results results) {
-  for (auto& experiment : results.experiments)
+  for (auto& experiment : results.experiments) {
+    std::erase_if(experiment.tables, [](const auto& table) { return table.id == "profile-seconds"; });
     for (auto& cell : experiment.cells) {
       cell.timings.clear();
       for (auto& curve : cell.curves) curve.seconds = 0.0;
@@ -48,6 +49,7 @@ store::Results without_timings(store::Results results) {
         if (from != std::string::npos) curve.exact_json.erase(from, to - from);
       }
     }
+  }
   return results;
 }
 
