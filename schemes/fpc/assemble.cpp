@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 
 namespace kappabench::fpc {
@@ -35,12 +36,6 @@ bool same_magnitude(const Segment& before, const Segment& behind) {
   return std::abs(k0 - k1) <= 1e-9 * std::max(k0, k1);
 }
 
-/// An open curve starts and ends at input points.
-void add_end_nodes(const Input& input, int segments, std::vector<Node>& nodes) {
-  nodes.insert(nodes.begin(), {.point = 0, .segment = 0, .t = 0.0});
-  nodes.push_back({.point = input.size() - 1, .segment = segments - 1, .t = 1.0});
-}
-
 class Assembly {
  public:
   Assembly(const Input& input, const Chain& chain, const State& state)
@@ -64,7 +59,7 @@ class Assembly {
       }
     }
     add_joints();
-    if (!input_.closed) add_end_nodes(input_, static_cast<int>(segments_.size()), nodes_);
+    if (!input_.closed) add_end_nodes(nodes_, input_.size(), static_cast<int>(segments_.size()));
     return {Curve(std::move(segments_), std::move(joints_), std::move(nodes_), input_.closed), std::move(counters_)};
   }
 
@@ -134,25 +129,6 @@ class Assembly {
 
 Assembled assemble(const Input& input, const Chain& chain, const State& state) {
   return Assembly(input, chain, state).run();
-}
-
-Curve straight_line(const Input& input) {
-  const std::size_t n = input.points.size();
-  std::vector<SegmentPtr> segments;
-  std::vector<Joint> joints;
-  std::vector<Node> nodes;
-  Vec2 start = input.points.front();
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const Vec2& p = input.points[i];
-    const Vec2 end = i + 2 == n ? input.points[n - 1] : Vec2(0.5 * (p + input.points[i + 1]));
-    const int number = static_cast<int>(segments.size());
-    nodes.push_back({.point = static_cast<int>(i), .segment = number, .t = (p - start).norm() / (end - start).norm()});
-    segments.push_back(std::make_shared<const PolynomialSegment>(std::array{start, end}));
-    if (i + 2 < n) joints.push_back({number, Continuity::g2});
-    start = end;
-  }
-  add_end_nodes(input, static_cast<int>(segments.size()), nodes);
-  return {std::move(segments), std::move(joints), std::move(nodes), false};
 }
 
 }  // namespace kappabench::fpc

@@ -19,7 +19,4 @@ struct Assembled {
 /// node is then the joint of its neighbours.
 [[nodiscard]] Assembled assemble(const Input& input, const Chain& chain, const State& state);
 
-/// Points in order on one line: that line, a segment of degree 1 for each inner point.
-[[nodiscard]] Curve straight_line(const Input& input);
-
 }  // namespace kappabench::fpc

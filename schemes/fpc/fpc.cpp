@@ -12,6 +12,7 @@
 #include "schemes/fpc/published_iteration.hpp"
 #include "schemes/fpc/tasks.hpp"
 #include "schemes/fpc/windows.hpp"
+#include "schemes/segments/open_curve.hpp"
 
 namespace kappabench {
 namespace {
@@ -24,28 +25,6 @@ Fit failure(const Input& input, std::string why) {
   return {input, std::nullopt, {.outcome = Outcome::failed, .message = std::move(why)}};
 }
 
-/// Whether all points lie on one line to rounding, and whether they follow each other on it.
-struct Line {
-  bool straight, in_order;
-};
-
-Line line_of(const Input& input) {
-  const Vec2& origin = input.points.front();
-  const auto farther = [&](const Vec2& p, const Vec2& q) {
-    return (p - origin).squaredNorm() < (q - origin).squaredNorm();
-  };
-  const Vec2 along = *std::max_element(input.points.begin(), input.points.end(), farther) - origin;
-  Line line{true, !input.closed};
-  double before = 0.0;
-  for (const Vec2& p : input.points) {
-    line.straight = line.straight && std::abs(cross(along, p - origin)) <= 1e-13 * along.squaredNorm();
-    const double at = along.dot(p - origin);
-    line.in_order = line.in_order && at >= before;
-    before = at;
-  }
-  return line;
-}
-
 /// All points on one line: every segment is degenerate (A = 0), and no curvature is left to agree on.
 Fit fit_line(const Input& input, const std::vector<fpc::PointTask>& tasks, bool in_order) {
   const bool cusp_or_loop = std::ranges::any_of(
@@ -55,7 +34,7 @@ Fit fit_line(const Input& input, const std::vector<fpc::PointTask>& tasks, bool 
     return refusal(input, "the points lie on one line and turn back on it; the curve would have cusps not asked for");
   return {
       input,
-      fpc::straight_line(input),
+      straight_line(input.points),
       {.outcome = Outcome::converged, .message = "the points lie on one line: the curve is that line", .trace = {0.0}}};
 }
 
@@ -116,7 +95,8 @@ Fit FpcScheme::solve(const Input& input) const {
                                                   .alpha = parameters().real("alpha"),
                                                   .beta = parameters().real("beta")});
   if (!read.problem.empty()) return refusal(input, read.problem);
-  if (const Line line = line_of(input); line.straight) return fit_line(input, read.tasks, line.in_order);
+  if (const Line line = line_of(input.points, input.closed); line.straight)
+    return fit_line(input, read.tasks, line.in_order);
 
   const fpc::Chain chain = fpc::make_chain(input.points, read.tasks, input.closed);
   fpc::Published published;

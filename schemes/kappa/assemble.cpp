@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
 
@@ -45,12 +46,6 @@ bool at_minimum(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q,
 bool same_magnitude(const Segment& before, const Segment& after) {
   const double k0 = std::abs(curvature(before.jet(1.0, 2))), k1 = std::abs(curvature(after.jet(0.0, 2)));
   return std::abs(k0 - k1) <= 1e-9 * std::max(k0, k1);
-}
-
-/// An open curve starts and ends at input points, where no segment is to peak.
-void add_end_nodes(const Input& input, int segments, std::vector<Node>& nodes) {
-  nodes.insert(nodes.begin(), {.point = 0, .segment = 0, .t = 0.0});
-  nodes.push_back({.point = input.size() - 1, .segment = segments - 1, .t = 1.0});
 }
 
 }  // namespace
@@ -123,27 +118,8 @@ Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, con
       claimed = Continuity::g1;
     joints.push_back({static_cast<int>(k), claimed});
   }
-  if (!input.closed) add_end_nodes(input, static_cast<int>(segments.size()), nodes);
+  if (!input.closed) add_end_nodes(nodes, input.size(), static_cast<int>(segments.size()));
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};
-}
-
-Curve straight_line(const Input& input) {
-  const std::size_t n = input.points.size();
-  std::vector<SegmentPtr> segments;
-  std::vector<Joint> joints;
-  std::vector<Node> nodes;
-  Vec2 start = input.points.front();
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    const Vec2& p = input.points[i];
-    const Vec2 end = i + 2 == n ? input.points[n - 1] : Vec2(0.5 * (p + input.points[i + 1]));
-    const int number = static_cast<int>(segments.size());
-    nodes.push_back({.point = static_cast<int>(i), .segment = number, .t = (p - start).norm() / (end - start).norm()});
-    segments.push_back(std::make_shared<const PolynomialSegment>(std::array{start, end}));
-    if (i + 2 < n) joints.push_back({number, Continuity::g2});
-    start = end;
-  }
-  add_end_nodes(input, static_cast<int>(segments.size()), nodes);
-  return Curve(std::move(segments), std::move(joints), std::move(nodes), false);
 }
 
 }  // namespace kappabench::kappa

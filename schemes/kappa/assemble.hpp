@@ -21,7 +21,4 @@ struct Assembled {
 [[nodiscard]] Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
                                  const Setting& setting);
 
-/// The straight line through points on one line in order, as segments of degree 1 that meet midway between points.
-[[nodiscard]] Curve straight_line(const Input& input);
-
 }  // namespace kappabench::kappa

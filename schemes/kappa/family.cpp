@@ -11,6 +11,7 @@
 #include "schemes/kappa/cascade.hpp"
 #include "schemes/kappa/published_iteration.hpp"
 #include "schemes/kappa/windows.hpp"
+#include "schemes/segments/open_curve.hpp"
 
 namespace kappabench::kappa {
 
@@ -58,28 +59,6 @@ Fit refusal(const Input& input, std::string why) {
 
 namespace {
 
-/// Whether all points lie on one line to rounding, and whether they follow each other on it.
-struct Line {
-  bool straight, in_order;
-};
-
-Line line_of(const Input& input) {
-  const Vec2& origin = input.points.front();
-  const auto farther = [&](const Vec2& p, const Vec2& q) {
-    return (p - origin).squaredNorm() < (q - origin).squaredNorm();
-  };
-  const Vec2 along = *std::max_element(input.points.begin(), input.points.end(), farther) - origin;
-  Line line{true, !input.closed};
-  double before = 0.0;
-  for (const Vec2& p : input.points) {
-    line.straight = line.straight && std::abs(cross(along, p - origin)) <= 1e-13 * along.squaredNorm();
-    const double at = along.dot(p - origin);
-    line.in_order = line.in_order && at >= before;
-    before = at;
-  }
-  return line;
-}
-
 /// Algorithm 1 of Miura 2022 until the residual is small or the steps are used up.
 Solution iterate_published(const Chain& chain, int most) {
   const System system(chain);
@@ -107,12 +86,12 @@ Solution solve_by_newton(const Chain& chain) {
 }  // namespace
 
 Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, const Iteration& iteration) {
-  if (const Line line = line_of(input); line.straight) {
+  if (const Line line = line_of(input.points, input.closed); line.straight) {
     if (!line.in_order)
       return refusal(input,
                      "the points lie on one line and turn back on it; a curve of this family would have cusps there");
     return {input,
-            straight_line(input),
+            straight_line(input.points),
             {.outcome = Outcome::converged,
              .message = "the points lie on one line: the curve is that line",
              .trace = {0.0}}};
