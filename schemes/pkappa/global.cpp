@@ -12,7 +12,9 @@
 namespace kappabench::pkappa {
 namespace {
 
-Chain bare_chain(std::span<const Vec2> points, bool closed, const Vec2& origin, double unit) {
+Chain bare_chain(const Input& input, const Vec2& origin, double unit) {
+  const std::vector<Vec2>& points = input.points;
+  const bool closed = input.closed;
   Chain chain{.cyclic = closed};
   const auto into = [&](const Vec2& p) { return Vec2((p - origin) / unit); };
   const std::size_t skip = closed ? 0 : 1;
@@ -85,10 +87,8 @@ void repair(Chain& chain, const WindowSettings& settings, GlobalReport& report) 
   std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return before[i]; });
   ChainSystem<K> exact(fine_gauss_rule(), settings.weights);
   for (const std::size_t i : order) {
-    const bool whole = n <= 2 * reach + 1;
-    std::size_t first = chain.cyclic ? (i + n - std::min(reach, n)) % n : i - std::min(i, reach);
-    const std::size_t count =
-        whole ? n - (chain.cyclic ? 0 : first) : std::min(2 * reach + 1, chain.cyclic ? n : n - first);
+    const std::size_t first = chain.cyclic ? (i + n - std::min(reach, n)) % n : i - std::min(i, reach);
+    const std::size_t count = std::min(2 * reach + 1, chain.cyclic ? n : n - first);
     Chain best = extract(chain, first, count);
     const Chain given = best;
     double energy = exact.value(best);
@@ -172,22 +172,15 @@ Minimum settle(Chain& chain, const QuadratureRule& rule, const Weights& weights,
 }  // namespace
 
 template <Continuity K>
-Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const WindowSettings& settings,
-                         GlobalReport& report) {
-  double unit = 0.0;
-  const std::size_t chords = points.size() - (closed ? 0 : 1);
-  for (std::size_t i = 0; i < chords; ++i) unit += (points[(i + 1) % points.size()] - points[i]).norm();
-  unit = settings.raw_units ? 1.0 : unit / static_cast<double>(chords);
-  const Vec2 origin = points.front();
-
-  const Chain bare = bare_chain(points, closed, origin, unit);
+Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report) {
+  const double unit = settings.raw_units ? 1.0 : mean_chord(input);
+  const Vec2 origin = input.points.front();
+  const Chain bare = bare_chain(input, origin, unit);
   std::optional<Chain> start = fair_start<K>(bare);
   if (!start) start = polygonal_start<K>(bare);
   if (!start) return {};
   Chain chain = std::move(*start);
 
-  const Weights reduced{settings.second_weights * settings.weights.edges,
-                        settings.second_weights * settings.weights.length};
   const auto phase = [&](Chain& c, const QuadratureRule& rule, const Weights& weights, int iterations,
                          double tolerance) {
     const Minimum m = settle<K>(c, rule, weights, tolerance, iterations);
@@ -208,7 +201,7 @@ Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const Window
   const bool one_stage = settings.second_iterations == 0;
   phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
   Chain second = chain;
-  if (!one_stage) phase(second, *rule, reduced, settings.second_iterations, settings.tolerance);
+  if (!one_stage) phase(second, *rule, settings.reduced_weights(), settings.second_iterations, settings.tolerance);
   if (verify<K>(second, *rule).sound) chain = std::move(second);
 
   Spline<K> spline{.t = chain.t};
@@ -217,13 +210,9 @@ Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const Window
   return spline;
 }
 
-template Spline<Continuity::c1> solve_globally<Continuity::c1>(std::span<const Vec2>, bool, const WindowSettings&,
-                                                               GlobalReport&);
-template Spline<Continuity::g1> solve_globally<Continuity::g1>(std::span<const Vec2>, bool, const WindowSettings&,
-                                                               GlobalReport&);
-template Spline<Continuity::c2> solve_globally<Continuity::c2>(std::span<const Vec2>, bool, const WindowSettings&,
-                                                               GlobalReport&);
-template Spline<Continuity::g2> solve_globally<Continuity::g2>(std::span<const Vec2>, bool, const WindowSettings&,
-                                                               GlobalReport&);
+template Spline<Continuity::c1> solve_globally<Continuity::c1>(const Input&, const WindowSettings&, GlobalReport&);
+template Spline<Continuity::g1> solve_globally<Continuity::g1>(const Input&, const WindowSettings&, GlobalReport&);
+template Spline<Continuity::c2> solve_globally<Continuity::c2>(const Input&, const WindowSettings&, GlobalReport&);
+template Spline<Continuity::g2> solve_globally<Continuity::g2>(const Input&, const WindowSettings&, GlobalReport&);
 
 }  // namespace kappabench::pkappa

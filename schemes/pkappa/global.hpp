@@ -1,7 +1,8 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
+#include "schemes/api/input.hpp"
 #include "schemes/pkappa/window.hpp"
 
 namespace kappabench::pkappa {
@@ -15,9 +16,8 @@ struct GlobalReport {
 
 /// Minimises the energy of the whole curve at once, open or periodic: no order of insertion, no frozen segments, and a
 /// start that prefers no direction. Linear in the number of points, in time and memory. Segment i passes point i + 1 if
-/// open, point i if closed.
+/// open, point i if closed. Empty if not even a start can be computed.
 template <Continuity K>
-[[nodiscard]] Spline<K> solve_globally(std::span<const Vec2> points, bool closed, const WindowSettings& settings,
-                                       GlobalReport& report);
+[[nodiscard]] Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report);
 
 }  // namespace kappabench::pkappa

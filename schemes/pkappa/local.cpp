@@ -104,13 +104,13 @@ template <Continuity K>
 void edit(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Move& move,
           const WindowSettings& settings, LocalReport& report) {
   const auto n = static_cast<std::ptrdiff_t>(spline.t.size());
-  std::ptrdiff_t own = closed ? move.point : std::clamp<std::ptrdiff_t>(move.point - 1, 0, n - 1);
-  if (!closed && move.point == 0) spline.control.front().col(0) = edited.front();
-  if (!closed && move.point == n + 1) spline.control.back().template rightCols<1>() = edited.back();
   if (closed) {
-    report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>((own + n - 1) % n), 3, settings));
+    report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>((move.point + n - 1) % n), 3, settings));
     return;
   }
+  spline.control.front().col(0) = edited.front();
+  spline.control.back().template rightCols<1>() = edited.back();
+  const std::ptrdiff_t own = std::clamp<std::ptrdiff_t>(move.point - 1, 0, n - 1);
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(own - 1, 0), last = std::min(own + 1, n - 1);
   report.add(solve_range<K>(spline, edited, closed, static_cast<std::size_t>(first),
                             static_cast<std::size_t>(last - first + 1), settings));
@@ -137,10 +137,10 @@ template <Continuity K>
 void edit(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Insert& insert,
           const WindowSettings& settings, LocalReport& report) {
   const auto before = static_cast<std::size_t>(insert.before), last = edited.size() - 1;
-  std::vector<Vec2> backwards(edited.rbegin(), edited.rend());
   if (!closed && before == last) return append<K>(spline, edited, settings, report);
   if (!closed && before == 1) return insert_after_start<K>(spline, edited, settings, report);
   if (!closed && (before == 0 || before + 1 == last)) {
+    const std::vector<Vec2> backwards(edited.rbegin(), edited.rend());
     reverse<K>(spline);
     before == 0 ? append<K>(spline, backwards, settings, report)
                 : insert_after_start<K>(spline, backwards, settings, report);

@@ -33,8 +33,9 @@ template <Continuity K>
 
 /// Edits a spline (Section 5.1, local shape editing); `edited` are its points afterwards. Only these
 /// segments change: a move's own and one on each side (two at an open end); for an insertion the new one and one on
-/// each side, at an open end the last three; for an erasure two on each side. All others stay bit for bit. False, and
-/// nothing done, where fewer points are left than the scheme takes.
+/// each side, at an open end the last three (or, where those do not do, up to seven: see README.md); for an erasure two
+/// on each side. All others stay bit for bit. False, and nothing done, where fewer points are left than the scheme
+/// takes.
 template <Continuity K>
 [[nodiscard]] bool edit_locally(Spline<K>& spline, std::span<const Vec2> edited, bool closed, const Edit& change,
                                 const WindowSettings& settings, LocalReport& report);

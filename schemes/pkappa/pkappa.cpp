@@ -14,6 +14,7 @@
 #include "schemes/pkappa/global.hpp"
 #include "schemes/pkappa/local.hpp"
 #include "schemes/pkappa/soundness.hpp"
+#include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 
 namespace kappabench {
@@ -118,7 +119,6 @@ Curve assemble(const Input& input, const Spline<K>& spline) {
   std::vector<SegmentPtr> segments;
   std::vector<Joint> joints;
   std::vector<Node> nodes;
-  if (!input.closed) nodes.push_back({.point = 0, .segment = 0, .t = 0.0});
   for (int i = 0; i < n; ++i) {
     const auto& control = spline.control[static_cast<std::size_t>(i)];
     std::array<Vec2, Layout<K>::degree + 1> points;
@@ -127,7 +127,7 @@ Curve assemble(const Input& input, const Spline<K>& spline) {
     if (input.closed || i + 1 < n) joints.push_back({i, K});
     nodes.push_back({.point = input.closed ? i : i + 1, .segment = i, .t = spline.t[static_cast<std::size_t>(i)]});
   }
-  if (!input.closed) nodes.push_back({.point = n + 1, .segment = n - 1, .t = 1.0});
+  if (!input.closed) add_end_nodes(nodes, input.size(), n);
   return {std::move(segments), std::move(joints), std::move(nodes), input.closed};
 }
 
@@ -162,7 +162,7 @@ Fit finish(const Input& input, const Spline<K>& spline, int iterations) {
   constexpr double accuracy = 1e-10;
   Fit fit{.input = input, .curve = std::nullopt, .report = {.iterations = iterations}};
   const auto finite = [](const auto& control) { return control.allFinite(); };
-  if (!std::ranges::all_of(spline.control, finite)) {
+  if (spline.control.empty() || !std::ranges::all_of(spline.control, finite)) {
     fit.report.outcome = Outcome::failed;
     fit.report.message = "the optimisation left the range of numbers";
     return fit;
@@ -219,7 +219,7 @@ Fit PkappaScheme::solve(const Input& input) const {
   return with_continuity(continuity_of(parameters()), [&]<Continuity K>() {
     if (is_global(parameters())) {
       pkappa::GlobalReport report;
-      const Spline<K> spline = pkappa::solve_globally<K>(input.points, input.closed, settings, report);
+      const Spline<K> spline = pkappa::solve_globally<K>(input, settings, report);
       Fit fit = finish<K>(input, spline, report.iterations);
       fit.report.trace = std::move(report.trace);
       fit.report.counters = {{"repaired", report.repaired}, {"iteration_limit", report.converged ? 0 : 1}};

@@ -28,10 +28,12 @@ template <int Degree>
 ControlPolygon<Degree> first_segment(const Vec2& start, const Vec2& point, const Vec2& end, double t) {
   const double u = 1.0 - t;
   const Vec2 middle = (point - u * u * start - t * t * end) / (2.0 * t * u);
-  // A quadratic with control points a, b, c has the elevated points ((k-j)(k-j-1) a + 2 j (k-j) b + j (j-1) c) / (k
-  // (k-1)).
+  // Elevation of a quadratic with control points a, b, c, times k (k - 1): (k-j)(k-j-1) a + 2 j (k-j) b + j (j-1) c.
+  // The ends to the last bit, so that whoever sets them again changes nothing.
   ControlPolygon<Degree> control;
-  for (int j = 0; j <= Degree; ++j) {
+  control.col(0) = start;
+  control.col(Degree) = end;
+  for (int j = 1; j < Degree; ++j) {
     const int rest = Degree - j;
     control.col(j) = (rest * (rest - 1) * start + 2 * j * rest * middle + j * (j - 1) * end) / (Degree * (Degree - 1));
   }

@@ -126,14 +126,12 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
   if (!std::isfinite(best.energy)) return report;
 
   // Stage 2; if what comes out is not sound, with the finer rule; if that is not either, stage 1 stays.
-  const Weights reduced{settings.second_weights * settings.weights.edges,
-                        settings.second_weights * settings.weights.length};
   Chain result = best.chain;
   report.second_stage_reverted = true;
   for (const QuadratureRule* rule : {settings.rule, &fine_gauss_rule()}) {
     Chain second = best.chain;
-    const Minimum m =
-        minimise<K>(settings.solver, second, *rule, {reduced, settings.second_iterations, settings.tolerance});
+    const Minimum m = minimise<K>(settings.solver, second, *rule,
+                                  {settings.reduced_weights(), settings.second_iterations, settings.tolerance});
     report.iterations += m.iterations;
     const Verification verification = verify<K>(second, *rule);
     if (settings.robust && !verification.sound) continue;

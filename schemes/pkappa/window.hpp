@@ -26,6 +26,11 @@ struct WindowSettings {
   int first_iterations = 100;
   int second_iterations = 60;
   double tolerance = 1e-9;
+
+  /// Those of stage 2.
+  [[nodiscard]] Weights reduced_weights() const {
+    return {second_weights * weights.edges, second_weights * weights.length};
+  }
 };
 
 /// Segments to solve for while everything else stays: what Wang 2024, Eqs. (7) and (8) call the simplified problem.
