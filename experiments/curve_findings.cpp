@@ -30,21 +30,7 @@ struct Measured {
 
 /// Number of turns of curvature inside a stretch.
 std::size_t turns_inside(const Measured& m, const std::vector<Part>& parts) {
-  std::vector<ProfilePoint> sequence;
-  const auto end = [&](const Part& part, double t) {
-    const auto of_segment = m.profile.of_segment(part.segment);
-    if (t == 0.0) return of_segment.front();
-    if (t == 1.0) return of_segment.back();
-    const Place place{part.segment, t};
-    return ProfilePoint{place, curvature_at(m.curve, place), ProfilePoint::Kind::end};
-  };
-  for (const Part& part : parts) {
-    sequence.push_back(end(part, part.t0));
-    for (const ProfilePoint& point : m.profile.of_segment(part.segment))
-      if (point.place.t > part.t0 && point.place.t < part.t1) sequence.push_back(point);
-    sequence.push_back(end(part, part.t1));
-  }
-  return turning_points(sequence, m.profile.unit, m.prominence()).size();
+  return turning_points(profile_within(m.curve, m.profile, parts), m.profile.unit, m.prominence()).size();
 }
 
 void find_jumps(const Measured& m, double chord, Findings& found) {

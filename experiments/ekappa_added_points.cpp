@@ -11,11 +11,14 @@
 #include "datasets/datasets.hpp"
 #include "experiments/compare.hpp"
 #include "experiments/ekappa_common.hpp"
+#include "experiments/study.hpp"
 #include "experiments/summaries.hpp"
+#include "experiments/verdicts.hpp"
 
 namespace kappabench {
 
 using namespace ekappa;
+using namespace study;
 
 namespace {
 

@@ -11,13 +11,16 @@
 
 #include "experiments/compare.hpp"
 #include "experiments/ekappa_common.hpp"
+#include "experiments/study.hpp"
 #include "experiments/summaries.hpp"
+#include "experiments/verdicts.hpp"
 #include "metrics/correspondence.hpp"
 #include "metrics/curvature_profile.hpp"
 
 namespace kappabench {
 
 using namespace ekappa;
+using namespace study;
 
 namespace {
 

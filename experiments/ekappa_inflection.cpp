@@ -11,12 +11,15 @@
 
 #include "experiments/compare.hpp"
 #include "experiments/ekappa_common.hpp"
+#include "experiments/study.hpp"
 #include "experiments/summaries.hpp"
+#include "experiments/verdicts.hpp"
 #include "metrics/continuity.hpp"
 
 namespace kappabench {
 
 using namespace ekappa;
+using namespace study;
 
 namespace {
 

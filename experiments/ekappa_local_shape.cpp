@@ -15,12 +15,15 @@
 
 #include "experiments/compare.hpp"
 #include "experiments/ekappa_common.hpp"
+#include "experiments/study.hpp"
 #include "experiments/summaries.hpp"
+#include "experiments/verdicts.hpp"
 #include "metrics/correspondence.hpp"
 
 namespace kappabench {
 
 using namespace ekappa;
+using namespace study;
 
 namespace {
 

@@ -6,14 +6,12 @@
 #include <iterator>
 #include <utility>
 
-#include "datasets/datasets.hpp"
+#include "experiments/summaries.hpp"
 
 namespace kappabench::fpc {
 
 store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours, std::string evidence) {
-  store::ClaimRecord record = ekappa::claim(id, std::move(verdict), std::move(ours), std::move(evidence));
-  record.paper = paper;
-  return record;
+  return study::claim(paper, id, std::move(verdict), std::move(ours), std::move(evidence));
 }
 
 const std::vector<std::string_view>& gallery() {
@@ -22,23 +20,23 @@ const std::vector<std::string_view>& gallery() {
   return names;
 }
 
-std::vector<Drawing> gallery_or(const Context& context) {
-  std::vector<Drawing> drawings;
-  const auto open = [&drawings](std::string_view name) {
-    std::ranges::move(open_drawings(name), std::back_inserter(drawings));
-  };
-  if (context.datasets.empty()) {
-    std::ranges::for_each(gallery(), open);
-  } else {
-    std::ranges::for_each(context.datasets, open);
-  }
-  return drawings;
-}
+std::vector<Drawing> gallery_or(const Context& context) { return study::drawings_or(context, gallery()); }
 
 store::PanelRecord curve_panel(int cell, std::string title, bool comb) {
   store::PanelRecord panel{.kind = "curve", .title = std::move(title), .cells = {cell}};
   panel.comb = comb;
   return panel;
+}
+
+Loops loops_of(const store::ExperimentRecord& record, std::string_view dataset, std::string_view scheme) {
+  for (std::size_t i = 0; i < record.cells.size(); ++i) {
+    const store::CellRecord& cell = record.cells[i];
+    if (cell.dataset != dataset || cell.scheme != scheme || cell.curves.empty()) continue;
+    const store::CurveRecord& curve = cell.curves.front();
+    return {static_cast<int>(i), static_cast<double>(curve.point_x.size()), measured(curve, "loops").value_or(0.0),
+            measured(curve, "loops_at_nodes").value_or(0.0)};
+  }
+  return {};
 }
 
 int count_of(const Input& input, PointType type) {

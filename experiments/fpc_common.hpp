@@ -5,12 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/ekappa_common.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/study.hpp"
+#include "experiments/verdicts.hpp"
 
 namespace kappabench::fpc {
 
-/// What the experiments on the figures of Chen et al. 2019 share, besides what those on the other paper offer.
+/// What the experiments on the figures of Chen et al. 2019 share, besides what those on every paper do.
 
 inline constexpr std::string_view paper = "fpc-2019-chen";
 
@@ -25,6 +26,14 @@ inline constexpr std::string_view paper = "fpc-2019-chen";
 
 /// A panel that shows one cell in the plane.
 [[nodiscard]] store::PanelRecord curve_panel(int cell, std::string title, bool comb = false);
+
+/// The loops of a drawing's first curve by the metric `features`, and how many of them close at a point. A cell of -1
+/// says that there is no such curve.
+struct Loops {
+  int cell = -1;
+  double points = 0.0, loops = 0.0, at_points = 0.0;
+};
+[[nodiscard]] Loops loops_of(const store::ExperimentRecord& record, std::string_view dataset, std::string_view scheme);
 
 /// How many of the points are of a type.
 [[nodiscard]] int count_of(const Input& input, PointType type);

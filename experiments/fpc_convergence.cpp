@@ -60,17 +60,17 @@ void put_differences(const Registry& registry, const Input& input, store::CellRe
   for (const int step : looked_at) {
     const Fit fit = published(registry, step)->fit(input);
     if (fit.curve && !fit.curve->joints().empty())
-      ekappa::put(cell, fmt::format("difference at {}", step), difference_of(fit));
+      study::put(cell, fmt::format("difference at {}", step), difference_of(fit));
   }
 }
 
 void put_trace(const std::vector<double>& trace, store::CellRecord& cell) {
-  ekappa::put(cell, "inputs", 1.0);
+  study::put(cell, "inputs", 1.0);
   if (trace.empty()) return;
-  ekappa::put(cell, "residual at 15", residual_at(trace, 15));
-  ekappa::put(cell, "residual at 50", residual_at(trace, 50));
+  study::put(cell, "residual at 15", residual_at(trace, 15));
+  study::put(cell, "residual at 50", residual_at(trace, 50));
   const auto done = std::ranges::find_if(trace, [](double r) { return r <= 1e-10; });
-  if (done != trace.end()) ekappa::put(cell, "steps to 1e-10", static_cast<double>(done - trace.begin()));
+  if (done != trace.end()) study::put(cell, "steps to 1e-10", static_cast<double>(done - trace.begin()));
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -79,14 +79,13 @@ std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = published(registry, steps), newton = registry.create("fpc");
   for (const Drawing& drawing : gallery_or(context)) {
     for (const auto& [most, words] : states)
-      if (drawing.id == shown)
-        jobs.push_back(ekappa::drawn_job(drawing, published(registry, most), std::string(words)));
-    jobs.push_back(ekappa::drawn_job(drawing, scheme, "published iteration"));
-    jobs.push_back(ekappa::drawn_job(drawing, newton, "Newton"));
-    jobs.push_back(ekappa::study_job(drawing, scheme, "differences", version,
-                                     [&registry](const Drawing& points, store::CellRecord& cell) {
-                                       for (const Input& input : points.curves) put_differences(registry, input, cell);
-                                     }));
+      if (drawing.id == shown) jobs.push_back(study::drawn_job(drawing, published(registry, most), std::string(words)));
+    jobs.push_back(study::drawn_job(drawing, scheme, "published iteration"));
+    jobs.push_back(study::drawn_job(drawing, newton, "Newton"));
+    jobs.push_back(study::study_job(drawing, scheme, "differences", version,
+                                    [&registry](const Drawing& points, store::CellRecord& cell) {
+                                      for (const Input& input : points.curves) put_differences(registry, input, cell);
+                                    }));
   }
   const std::uint64_t seed = context.seed;
   jobs.push_back(random_job(scheme, fmt::format("convergence, seed {}", seed), version, inputs,
@@ -95,8 +94,8 @@ std::vector<CellJob> jobs(const Context& context) {
                               put_trace(scheme->fit(input).report.trace, cell);
                               put_differences(registry, input, cell);
                               const Fit fit = newton->fit(input);
-                              ekappa::put(cell, "Newton solved", ekappa::solved(fit) ? 1.0 : 0.0);
-                              ekappa::put(cell, "Newton steps", fit.report.iterations);
+                              study::put(cell, "Newton solved", study::solved(fit) ? 1.0 : 0.0);
+                              study::put(cell, "Newton steps", fit.report.iterations);
                             }));
   return jobs;
 }
@@ -123,41 +122,41 @@ struct Residuals {
 Residuals residuals_at(const store::ExperimentRecord& record, int step) {
   Residuals residuals;
   for (const auto& trace : traces_of(record)) residuals.of_drawings.push_back(residual_at(trace, step));
-  residuals.of_random = ekappa::values(record, fmt::format("residual at {}", step));
+  residuals.of_random = study::values(record, fmt::format("residual at {}", step));
   return residuals;
 }
 
 store::ClaimRecord step_claim(const store::ExperimentRecord& record, std::string_view id, int step, double bound) {
-  const std::vector<double> all = ekappa::values(record, fmt::format("difference at {}", step));
+  const std::vector<double> all = study::values(record, fmt::format("difference at {}", step));
   const Residuals relative = residuals_at(record, step);
   const auto cases = static_cast<double>(all.size());
   return claim(
-      id, ekappa::verdict_in_general(count_below(all, bound), cases),
+      id, study::verdict_in_general(count_below(all, bound), cases),
       fmt::format("median {:.1g} / mean chord; at most {:.0e} / mean chord in {}", median(all), bound,
-                  ekappa::share(count_below(all, bound), cases)),
+                  study::share(count_below(all, bound), cases)),
       fmt::format("Largest difference of |κ| at a joint after {} steps, times the mean chord: curves of typed "
                   "drawings and {:.0f} random typed inputs. Relative to |κ| the median is {:.1g} on the drawings "
                   "and {:.1g} on the random inputs. The paper's number has the unit of its drawing; in units of "
                   "a twentieth of the mean chord (a drawing some hundred wide) the median is {:.1g}.",
-                  step, ekappa::total(record, "inputs"), median(relative.of_drawings), median(relative.of_random),
+                  step, study::total(record, "inputs"), median(relative.of_drawings), median(relative.of_random),
                   median(all) / 20.0));
 }
 
 store::ClaimRecord dozens_claim(const store::ExperimentRecord& record) {
-  std::vector<double> taken = ekappa::values(record, "steps to 1e-10");
-  double all = ekappa::total(record, "inputs");
+  std::vector<double> taken = study::values(record, "steps to 1e-10");
+  double all = study::total(record, "inputs");
   for (const auto& trace : traces_of(record)) {
     const auto done = std::ranges::find_if(trace, [](double r) { return r <= 1e-10; });
     all += 1.0;
     if (done != trace.end()) taken.push_back(static_cast<double>(done - trace.begin()));
   }
   return claim(
-      "dozens-of-iterations", ekappa::verdict_in_general(static_cast<double>(taken.size()), all),
-      fmt::format("{} within {} steps; median {:.0f}", ekappa::share(static_cast<double>(taken.size()), all), steps,
+      "dozens-of-iterations", study::verdict_in_general(static_cast<double>(taken.size()), all),
+      fmt::format("{} within {} steps; median {:.0f}", study::share(static_cast<double>(taken.size()), all), steps,
                   median(taken)),
       fmt::format("Steps until the relative mismatch is at most 1e-10, curves of typed drawings and {:.0f} random "
                   "typed inputs together. \"A dozen or dozens\" is taken as at most {}.",
-                  ekappa::total(record, "inputs"), steps));
+                  study::total(record, "inputs"), steps));
 }
 
 store::TableRecord table(const store::ExperimentRecord& record) {
@@ -174,7 +173,7 @@ store::TableRecord table(const store::ExperimentRecord& record) {
       after15 = std::max(after15, residual_at(curve.trace, 15));
       after50 = std::max(after50, residual_at(curve.trace, 50));
     }
-    if (const auto newton = ekappa::drawn_cell(record, cell.dataset, "Newton"))
+    if (const auto newton = study::drawn_cell(record, cell.dataset, "Newton"))
       for (const store::CurveRecord& curve : record.cells[static_cast<std::size_t>(*newton)].curves) {
         newton_steps = std::max(newton_steps, static_cast<double>(curve.iterations));
         newton_residual = std::max(newton_residual, curve.residual);
@@ -184,7 +183,7 @@ store::TableRecord table(const store::ExperimentRecord& record) {
   }
   const Residuals r15 = residuals_at(record, 15), r50 = residuals_at(record, 50);
   builder.row({std::string("random typed inputs, median"), static_cast<double>(r15.of_random.size()),
-               median(r15.of_random), median(r50.of_random), median(ekappa::values(record, "Newton steps")),
+               median(r15.of_random), median(r50.of_random), median(study::values(record, "Newton steps")),
                std::numeric_limits<double>::quiet_NaN()});
   return builder.table();
 }
@@ -200,13 +199,13 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
       .columns = 2,
       .panels = {}};
   for (const auto& [most, words] : states)
-    if (const auto cell = ekappa::drawn_cell(record, shown, words)) {
+    if (const auto cell = study::drawn_cell(record, shown, words)) {
       figure.panels.push_back(curve_panel(*cell, std::string(words), true));
       figure.panels.back().comb_scale = 0.15;
     }
   store::PanelRecord panel{.kind = "convergence", .title = std::string(shown), .cells = {}, .curve = 0};
   for (const std::string_view label : {"published iteration", "Newton"})
-    if (const auto cell = ekappa::drawn_cell(record, shown, label)) panel.cells.push_back(*cell);
+    if (const auto cell = study::drawn_cell(record, shown, label)) panel.cells.push_back(*cell);
   if (!panel.cells.empty()) figure.panels.push_back(std::move(panel));
   return figure;
 }

@@ -32,23 +32,23 @@ constexpr int drawn = 6;
 void measure(const Scheme& scheme, std::uint64_t seed, int from, int count, store::CellRecord& cell) {
   for (int i = from; i < from + count; ++i) {
     const Fit fit = scheme.fit(typed_random_input(seed, static_cast<std::uint64_t>(i)));
-    ekappa::put(cell, "inputs", 1.0);
-    ekappa::put(cell, "residual", fit.report.residual);
-    if (!ekappa::solved(fit)) {
-      ekappa::put(cell, "unsolved", 1.0);
+    study::put(cell, "inputs", 1.0);
+    study::put(cell, "residual", fit.report.residual);
+    if (!study::solved(fit)) {
+      study::put(cell, "unsolved", 1.0);
       continue;
     }
     const FeatureCheck check = check_features(fit);
-    ekappa::put(cell, "cusps", check.cusps);
-    ekappa::put(cell, "loops", check.loops);
-    ekappa::put(cell, "inflections", check.inflections);
-    ekappa::put(cell, "misplaced cusps", check.misplaced_cusps);
-    ekappa::put(cell, "misplaced loops", check.misplaced_loops);
-    ekappa::put(cell, "misplaced inflections", check.misplaced_inflections);
-    ekappa::put(cell, "typed", check.typed);
-    ekappa::put(cell, "missing", check.missing);
-    ekappa::put(cell, "thin", check.thin_loops);
-    ekappa::put(cell, "uncertified", check.uncertified);
+    study::put(cell, "cusps", check.cusps);
+    study::put(cell, "loops", check.loops);
+    study::put(cell, "inflections", check.inflections);
+    study::put(cell, "misplaced cusps", check.misplaced_cusps);
+    study::put(cell, "misplaced loops", check.misplaced_loops);
+    study::put(cell, "misplaced inflections", check.misplaced_inflections);
+    study::put(cell, "typed", check.typed);
+    study::put(cell, "missing", check.missing);
+    study::put(cell, "thin", check.thin_loops);
+    study::put(cell, "uncertified", check.uncertified);
     if (!check.holds() && std::ssize(cell.curves) < drawn) {
       cell.curves.push_back(record_of(scheme, fit, {}));
       cell.message = fmt::format("input {}: {}", i, check.first);
@@ -61,7 +61,7 @@ CellJob example_job(const SchemePtr& scheme, std::uint64_t seed, int index) {
   Drawing drawing{.id = fmt::format("random-typed-{}", index),
                   .title = fmt::format("random typed input {}", index),
                   .curves = {typed_random_input(seed, static_cast<std::uint64_t>(index))}};
-  return ekappa::drawn_job(drawing, scheme, fmt::format("input {}", index));
+  return study::drawn_job(drawing, scheme, fmt::format("input {}", index));
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -86,12 +86,12 @@ store::TableRecord table(const store::ExperimentRecord& record) {
   TableBuilder builder(
       "features", "Features found and where",
       fmt::format("{:.0f} random typed inputs, {:.0f} of them solved; {:.0f} typed points.",
-                  ekappa::total(record, "inputs"), ekappa::total(record, "inputs") - ekappa::total(record, "unsolved"),
-                  ekappa::total(record, "typed")));
+                  study::total(record, "inputs"), study::total(record, "inputs") - study::total(record, "unsolved"),
+                  study::total(record, "typed")));
   builder.words("feature").counts("found in segments").counts("not at a point of that type");
   for (const std::string_view what : {"cusps", "loops", "inflections"})
     builder.row(
-        {std::string(what), ekappa::total(record, what), ekappa::total(record, fmt::format("misplaced {}", what))});
+        {std::string(what), study::total(record, what), study::total(record, fmt::format("misplaced {}", what))});
   return builder.table();
 }
 
@@ -99,31 +99,30 @@ std::string inputs_in_words(const store::ExperimentRecord& record) {
   return fmt::format(
       "{:.0f} random typed inputs; {:.0f} were not solved and are left out. {:.0f} segments could not be "
       "searched completely.",
-      ekappa::total(record, "inputs"), ekappa::total(record, "unsolved"), ekappa::total(record, "uncertified"));
+      study::total(record, "inputs"), study::total(record, "unsolved"), study::total(record, "uncertified"));
 }
 
 store::ClaimRecord cusps_claim(const store::ExperimentRecord& record) {
-  const double found = ekappa::total(record, "cusps") + ekappa::total(record, "loops");
-  const double wrong = ekappa::total(record, "misplaced cusps") + ekappa::total(record, "misplaced loops");
-  return claim("cusps-and-loops-at-points",
-               ekappa::verdict_for_all(wrong + ekappa::total(record, "uncertified"), found),
+  const double found = study::total(record, "cusps") + study::total(record, "loops");
+  const double wrong = study::total(record, "misplaced cusps") + study::total(record, "misplaced loops");
+  return claim("cusps-and-loops-at-points", study::verdict_for_all(wrong + study::total(record, "uncertified"), found),
                fmt::format("{:.0f} of {:.0f} elsewhere", wrong, found), inputs_in_words(record));
 }
 
 store::ClaimRecord inflections_claim(const store::ExperimentRecord& record) {
-  const double found = ekappa::total(record, "inflections"), wrong = ekappa::total(record, "misplaced inflections");
-  return claim("inflections-at-points-or-joints", ekappa::verdict_for_all(wrong, found),
+  const double found = study::total(record, "inflections"), wrong = study::total(record, "misplaced inflections");
+  return claim("inflections-at-points-or-joints", study::verdict_for_all(wrong, found),
                fmt::format("{:.0f} of {:.0f} inside a segment elsewhere", wrong, found), inputs_in_words(record));
 }
 
 store::ClaimRecord types_claim(const store::ExperimentRecord& record) {
-  const double typed = ekappa::total(record, "typed"), missing = ekappa::total(record, "missing");
+  const double typed = study::total(record, "typed"), missing = study::total(record, "missing");
   return claim(
-      "points-have-their-type", ekappa::verdict_for_all(missing, typed),
-      fmt::format("{} points of type cusp, loop or inflection are one", ekappa::share(typed - missing, typed)),
+      "points-have-their-type", study::verdict_for_all(missing, typed),
+      fmt::format("{} points of type cusp, loop or inflection are one", study::share(typed - missing, typed)),
       fmt::format("{} A cusp is a place where the speed falls below 1e-8 of its mean. {:.0f} loops are too thin to be "
                   "seen crossing themselves; the exact discriminant says that they do.",
-                  inputs_in_words(record), ekappa::total(record, "thin")));
+                  inputs_in_words(record), study::total(record, "thin")));
 }
 
 store::FigureRecord figure(const store::ExperimentRecord& record) {

@@ -26,19 +26,19 @@ constexpr int version = 1;
 constexpr int inputs = 500;
 
 void measure_joints(const Fit& fit, store::CellRecord& cell) {
-  ekappa::put(cell, "fits", 1.0);
-  if (!ekappa::solved(fit)) {
-    ekappa::put(cell, "fits without a solution", 1.0);
+  study::put(cell, "fits", 1.0);
+  if (!study::solved(fit)) {
+    study::put(cell, "fits without a solution", 1.0);
     return;
   }
   for (const JointJump& jump : joint_jumps(*fit.curve, mean_chord(fit.input))) {
     const bool signs_differ = jump.joint.claimed == Continuity::g1_equal_magnitude;
-    ekappa::put(cell, signs_differ ? "joints with a change of sign" : "joints elsewhere", 1.0);
+    study::put(cell, signs_differ ? "joints with a change of sign" : "joints elsewhere", 1.0);
     const double kappa = signs_differ ? jump.curvature_magnitude : jump.curvature;
-    ekappa::put(cell, signs_differ ? "magnitude jump" : "curvature jump",
-                std::max(0.0, kappa - jump.curvature_uncertainty));
-    ekappa::put(cell, "angle", jump.angle);
-    ekappa::put(cell, "misses", jump.meets_claim() && jump.joint.claimed != Continuity::g1 ? 0.0 : 1.0);
+    study::put(cell, signs_differ ? "magnitude jump" : "curvature jump",
+               std::max(0.0, kappa - jump.curvature_uncertainty));
+    study::put(cell, "angle", jump.angle);
+    study::put(cell, "misses", jump.meets_claim() && jump.joint.claimed != Continuity::g1 ? 0.0 : 1.0);
   }
 }
 
@@ -46,13 +46,13 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   const SchemePtr scheme = context.registry.create("fpc");
   for (const Drawing& drawing : gallery_or(context)) {
-    jobs.push_back(ekappa::drawn_job(drawing, scheme, drawing.id));
+    jobs.push_back(study::drawn_job(drawing, scheme, drawing.id));
     jobs.push_back(
-        ekappa::study_job(drawing, scheme, "joints", version, [scheme](const Drawing& points, store::CellRecord& cell) {
+        study::study_job(drawing, scheme, "joints", version, [scheme](const Drawing& points, store::CellRecord& cell) {
           for (const Input& input : points.curves) {
             for (const PointType type : {PointType::regular, PointType::cusp, PointType::loop, PointType::inflection})
-              ekappa::put(cell, std::string(name(type)), count_of(input, type));
-            ekappa::put(cell, "points", input.size());
+              study::put(cell, std::string(name(type)), count_of(input, type));
+            study::put(cell, "points", input.size());
             measure_joints(scheme->fit(input), cell);
           }
         }));
@@ -87,18 +87,18 @@ store::TableRecord table(const store::ExperimentRecord& record) {
 }
 
 store::ClaimRecord continuity_claim(const store::ExperimentRecord& record) {
-  const double same = ekappa::total(record, "joints elsewhere");
-  const double change = ekappa::total(record, "joints with a change of sign");
-  const double misses = ekappa::total(record, "misses"), joints = same + change;
+  const double same = study::total(record, "joints elsewhere");
+  const double change = study::total(record, "joints with a change of sign");
+  const double misses = study::total(record, "misses"), joints = same + change;
   return claim(
-      "g2-almost-everywhere", ekappa::verdict_for_all(misses, joints),
-      fmt::format("{} joints", ekappa::share(joints - misses, joints)),
+      "g2-almost-everywhere", study::verdict_for_all(misses, joints),
+      fmt::format("{} joints", study::share(joints - misses, joints)),
       fmt::format("{:.0f} joints without a change of sign, largest relative jump of curvature {:.2g}; {:.0f} with "
                   "one, |κ| agrees to {:.2g}; largest angle {:.2g} rad. What one rounding of the coordinates can "
                   "do to a curvature is taken off. {:.0f} of {:.0f} fits were not solved and are left out.",
-                  same, largest(ekappa::values(record, "curvature jump")), change,
-                  largest(ekappa::values(record, "magnitude jump")), largest(ekappa::values(record, "angle")),
-                  ekappa::total(record, "fits without a solution"), ekappa::total(record, "fits")));
+                  same, largest(study::values(record, "curvature jump")), change,
+                  largest(study::values(record, "magnitude jump")), largest(study::values(record, "angle")),
+                  study::total(record, "fits without a solution"), study::total(record, "fits")));
 }
 
 /// Up to four drawings, once with their combs.
@@ -118,7 +118,7 @@ store::FigureRecord figure(const store::ExperimentRecord& record, const std::vec
 
 void conclude(const Context&, store::ExperimentRecord& record) {
   record.tables = {table(record)};
-  const std::vector<std::string> drawings = ekappa::drawn_datasets(record);
+  const std::vector<std::string> drawings = study::drawn_datasets(record);
   constexpr std::size_t in_a_figure = 4;
   for (std::size_t i = 0; i < drawings.size(); i += in_a_figure) {
     const auto first = drawings.begin() + static_cast<std::ptrdiff_t>(i);

@@ -44,7 +44,7 @@ struct Bend {
 std::optional<Bend> bend_with(const Scheme& scheme, Input input, int i, double h) {
   input.options[static_cast<std::size_t>(i)].h = h;
   const Fit fit = scheme.fit(input);
-  if (!ekappa::solved(fit)) return std::nullopt;
+  if (!study::solved(fit)) return std::nullopt;
   const std::vector<Node> nodes = nodes_of(*fit.curve, i);
   if (nodes.size() != 1 || nodes[0].at_inflection) return std::nullopt;
   const Segment& segment = fit.curve->segment(nodes[0].segment);
@@ -69,16 +69,16 @@ int first_inflection(const Input& input) {
 void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const int i = first_inflection(input);
   if (i < 0) return;
-  ekappa::put(cell, "inflections", 1.0);
+  study::put(cell, "inflections", 1.0);
   const auto left = bend_with(scheme, input, i, 0.5), right = bend_with(scheme, input, i, -0.5);
-  if (left && right) ekappa::put(cell, "bends the other way", left->before != right->before ? 1.0 : 0.0);
+  if (left && right) study::put(cell, "bends the other way", left->before != right->before ? 1.0 : 0.0);
   std::vector<double> lengths;
   const double sign = sign_by_rule(input, i);
   for (const double h : growing)
     if (const auto bend = bend_with(scheme, input, i, sign * h)) lengths.push_back(bend->length);
   if (lengths.size() == growing.size()) {
-    ekappa::put(cell, "stretches", lengths.back() > lengths.front() ? 1.0 : 0.0);
-    ekappa::put(cell, "stretch", lengths.back() / lengths.front());
+    study::put(cell, "stretches", lengths.back() > lengths.front() ? 1.0 : 0.0);
+    study::put(cell, "stretch", lengths.back() / lengths.front());
   }
 }
 
@@ -86,8 +86,8 @@ void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) 
 void measure_ring(const Scheme& as_given, const Scheme& by_rule, std::uint64_t seed, store::CellRecord& cell) {
   const Input input =
       typed_random_input(RandomKind::star, 4 + static_cast<int>(seed % 9), seed, true, {PointType::inflection});
-  ekappa::put(cell, "solved as given", ekappa::solved(as_given.fit(input)) ? 1.0 : 0.0);
-  ekappa::put(cell, "solved by rule", ekappa::solved(by_rule.fit(input)) ? 1.0 : 0.0);
+  study::put(cell, "solved as given", study::solved(as_given.fit(input)) ? 1.0 : 0.0);
+  study::put(cell, "solved by rule", study::solved(by_rule.fit(input)) ? 1.0 : 0.0);
 }
 
 /// Three inflections on a triangle, all with h = 1/2, and three lambdas: the joints' system is singular there.
@@ -103,7 +103,7 @@ void measure_triangle(store::CellRecord& cell) {
   for (const bool by_rule : {false, true}) {
     const Tasks read = read_tasks(input, {.h_sign_by_rule = by_rule});
     const Chain chain = make_chain(input.points, read.tasks, true);
-    ekappa::put(cell, by_rule ? "condition by rule" : "condition as given", joint_condition(chain, log_ratio));
+    study::put(cell, by_rule ? "condition by rule" : "condition as given", joint_condition(chain, log_ratio));
   }
 }
 
@@ -112,7 +112,7 @@ std::vector<CellJob> jobs(const Context& context) {
   jobs.reserve(shown.size() + 3);
   const SchemePtr scheme = context.registry.create("fpc"), as_given = context.registry.parse("fpc:h_sign=given");
   for (const auto& [id, words] : shown)
-    jobs.push_back(ekappa::drawn_job(open_drawings(id).front(), scheme, std::string(words)));
+    jobs.push_back(study::drawn_job(open_drawings(id).front(), scheme, std::string(words)));
   const std::uint64_t seed = context.seed;
   jobs.push_back(random_job(scheme, fmt::format("h, seed {}", seed), version, inputs,
                             [scheme, seed](std::uint64_t index, store::CellRecord& cell) {
@@ -127,15 +127,15 @@ std::vector<CellJob> jobs(const Context& context) {
   return jobs;
 }
 
-double sum(const store::ExperimentRecord& record, std::string_view column) { return ekappa::total(record, column); }
+double sum(const store::ExperimentRecord& record, std::string_view column) { return study::total(record, column); }
 double count(const store::ExperimentRecord& record, std::string_view column) {
-  return static_cast<double>(ekappa::values(record, column).size());
+  return static_cast<double>(study::values(record, column).size());
 }
 
 store::ClaimRecord general_claim(const store::ExperimentRecord& record, std::string_view id, std::string_view column,
                                  std::string_view words, std::string evidence) {
   const double agree = sum(record, column), cases = count(record, column);
-  return claim(id, ekappa::verdict_in_general(agree, cases), fmt::format("{} {}", words, ekappa::share(agree, cases)),
+  return claim(id, study::verdict_in_general(agree, cases), fmt::format("{} {}", words, study::share(agree, cases)),
                std::move(evidence));
 }
 
@@ -154,8 +154,8 @@ store::ClaimRecord range_claim() {
 }
 
 store::ClaimRecord singular_claim(const store::ExperimentRecord& record) {
-  const double given = largest(ekappa::values(record, "condition as given"));
-  const double rule = largest(ekappa::values(record, "condition by rule"));
+  const double given = largest(study::values(record, "condition as given"));
+  const double rule = largest(study::values(record, "condition by rule"));
   const double solved = sum(record, "solved as given"), cases = count(record, "solved as given");
   const bool known = given > 0.0;
   return claim(
@@ -166,8 +166,8 @@ store::ClaimRecord singular_claim(const store::ExperimentRecord& record) {
       fmt::format("condition {:.2g} for a triangle of inflections with h = 0.5", given),
       fmt::format("With lambda = (3.357, 1.254, 9.159); with the sign of h by rule the same system has condition "
                   "{:.3g}. Closed curves of inflections: h = 0.5 throughout solves {}, the rule {}.",
-                  rule, ekappa::share(solved, cases),
-                  ekappa::share(sum(record, "solved by rule"), count(record, "solved by rule"))));
+                  rule, study::share(solved, cases),
+                  study::share(sum(record, "solved by rule"), count(record, "solved by rule"))));
 }
 
 store::TableRecord table(const store::ExperimentRecord& record) {
@@ -191,7 +191,7 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
                              .columns = 3,
                              .panels = {}};
   for (const auto& [id, words] : shown)
-    if (const auto cell = ekappa::drawn_cell(record, id, words)) {
+    if (const auto cell = study::drawn_cell(record, id, words)) {
       figure.panels.push_back(curve_panel(*cell, std::string(words)));
     }
   return figure;
@@ -209,7 +209,7 @@ void conclude(const Context&, store::ExperimentRecord& record) {
       general_claim(record, "h-sign", "bends the other way",
                     "h = 0.5 and -0.5 bend opposite ways before the point:", how),
       general_claim(record, "h-size", "stretches", "longer with |h| = 3 than with |h| = 0.5, its sign by rule:",
-                    fmt::format("{} Median ratio of lengths {:.3g}.", how, median(ekappa::values(record, "stretch")))),
+                    fmt::format("{} Median ratio of lengths {:.3g}.", how, median(study::values(record, "stretch")))),
       range_claim(), singular_claim(record)};
 }
 

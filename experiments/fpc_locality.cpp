@@ -44,15 +44,15 @@ Drawing moved(Drawing drawing, double by) {
 
 void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const Fit fit = scheme.fit(input);
-  if (!ekappa::solved(fit) || input.size() < fewest_points) return;
+  if (!study::solved(fit) || input.size() < fewest_points) return;
   const LocalityProfile profile = locality_profile(scheme, fit, measured_move);
-  ekappa::put(cell, "moves", profile.fits, Method::sampled);
-  ekappa::put(cell, "failed", profile.failed, Method::sampled);
+  study::put(cell, "moves", profile.fits, Method::sampled);
+  study::put(cell, "failed", profile.failed, Method::sampled);
   if (const double decay = decay_per_span(profile); std::isfinite(decay))
-    ekappa::put(cell, "decay", decay, Method::sampled);
+    study::put(cell, "decay", decay, Method::sampled);
   for (int d = 1; d <= farthest && d <= static_cast<int>(profile.influence.size()); ++d)
-    ekappa::put(cell, fmt::format("influence {}", d), profile.influence[static_cast<std::size_t>(d) - 1],
-                Method::sampled);
+    study::put(cell, fmt::format("influence {}", d), profile.influence[static_cast<std::size_t>(d) - 1],
+               Method::sampled);
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -61,14 +61,14 @@ std::vector<CellJob> jobs(const Context& context) {
   const Drawing blob = open_drawings(shown).front();
   for (const auto& [by, words] :
        {std::pair(0.0, "as it is"), std::pair(shown_move, "moved outwards"), std::pair(-shown_move, "moved inwards")})
-    jobs.push_back(ekappa::drawn_job(moved(blob, by), scheme, words));
+    jobs.push_back(study::drawn_job(moved(blob, by), scheme, words));
   std::vector<Drawing> drawings = gallery_or(context);
   drawings.push_back(blob);
   for (const Drawing& drawing : drawings)
-    jobs.push_back(ekappa::study_job(drawing, scheme, "locality", version,
-                                     [scheme](const Drawing& points, store::CellRecord& cell) {
-                                       for (const Input& input : points.curves) measure(*scheme, input, cell);
-                                     }));
+    jobs.push_back(study::study_job(drawing, scheme, "locality", version,
+                                    [scheme](const Drawing& points, store::CellRecord& cell) {
+                                      for (const Input& input : points.curves) measure(*scheme, input, cell);
+                                    }));
   const std::uint64_t seed = context.seed;
   jobs.push_back(random_job(scheme, fmt::format("locality, seed {}", seed), version, inputs,
                             [scheme, seed](std::uint64_t index, store::CellRecord& cell) {
@@ -78,7 +78,7 @@ std::vector<CellJob> jobs(const Context& context) {
 }
 
 std::vector<double> influence(const store::ExperimentRecord& record, int distance, std::string_view dataset = {}) {
-  return ekappa::values(record, fmt::format("influence {}", distance), dataset);
+  return study::values(record, fmt::format("influence {}", distance), dataset);
 }
 
 store::TableRecord table(const store::ExperimentRecord& record) {
@@ -97,20 +97,20 @@ store::TableRecord table(const store::ExperimentRecord& record) {
 }
 
 store::ClaimRecord decay_claim(const store::ExperimentRecord& record) {
-  const std::vector<double> decays = ekappa::values(record, "decay");
+  const std::vector<double> decays = study::values(record, "decay");
   const auto agree = static_cast<double>(std::ranges::count_if(decays, [](double v) { return v <= dramatic; }));
   const auto cases = static_cast<double>(decays.size());
   return claim(
-      "local-influence", ekappa::verdict_in_general(agree, cases),
-      fmt::format("falls by half or more with each span on {} curves; median factor {:.2g}",
-                  ekappa::share(agree, cases), median(decays)),
+      "local-influence", study::verdict_in_general(agree, cases),
+      fmt::format("falls by half or more with each span on {} curves; median factor {:.2g}", study::share(agree, cases),
+                  median(decays)),
       fmt::format("{:.0f} moves of single points of typed drawings and random typed inputs. Influence is the largest "
                   "over all points and directions; its median over curves is {:.2g} at distance 1, {:.2g} at 2, "
                   "{:.2g} at 3, {:.2g} at 4, its largest {:.3g}, where big loops magnify a displacement. {:.0f} "
                   "moved inputs were left out: not solved, or other nodes.",
-                  ekappa::total(record, "moves"), median(influence(record, 1)), median(influence(record, 2)),
+                  study::total(record, "moves"), median(influence(record, 1)), median(influence(record, 2)),
                   median(influence(record, 3)), median(influence(record, 4)), largest(influence(record, 1)),
-                  ekappa::total(record, "failed")));
+                  study::total(record, "failed")));
 }
 
 store::FigureRecord figure(const store::ExperimentRecord& record) {

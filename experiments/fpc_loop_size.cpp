@@ -45,7 +45,7 @@ std::vector<std::vector<double>> measure(const Scheme& scheme, Input input) {
     for (PointOptions& options : input.options)
       if (options.type) options.alpha = options.beta = size;
     const Fit fit = scheme.fit(input);
-    if (!ekappa::solved(fit)) return {};
+    if (!study::solved(fit)) return {};
     lengths.emplace_back();
     for (int i = 0; i < n; ++i) {
       const std::vector<Node> nodes = nodes_of(*fit.curve, i);
@@ -58,13 +58,13 @@ std::vector<std::vector<double>> measure(const Scheme& scheme, Input input) {
 }
 
 void put_lengths(const std::vector<std::vector<double>>& lengths, store::CellRecord& cell) {
-  ekappa::put(cell, "inputs", 1.0);
+  study::put(cell, "inputs", 1.0);
   if (lengths.empty()) {
-    ekappa::put(cell, "unsolved", 1.0);
+    study::put(cell, "unsolved", 1.0);
     return;
   }
   for (std::size_t k = 0; k < lengths.size(); ++k)
-    for (const double length : lengths[k]) ekappa::put(cell, fmt::format("loop {:.2f}", sizes[k]), length);
+    for (const double length : lengths[k]) study::put(cell, fmt::format("loop {:.2f}", sizes[k]), length);
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -72,11 +72,11 @@ std::vector<CellJob> jobs(const Context& context) {
   jobs.reserve(shown.size() + 2);
   const SchemePtr scheme = context.registry.create("fpc");
   for (const std::string_view id : shown) jobs.push_back(fit_job(open_drawings(id).front(), scheme, {}));
-  jobs.push_back(ekappa::study_job(open_drawings(shown.front()).front(), scheme, "sizes", version,
-                                   [scheme](const Drawing& drawing, store::CellRecord& cell) {
-                                     for (const Input& input : drawing.curves)
-                                       put_lengths(measure(*scheme, input), cell);
-                                   }));
+  jobs.push_back(study::study_job(open_drawings(shown.front()).front(), scheme, "sizes", version,
+                                  [scheme](const Drawing& drawing, store::CellRecord& cell) {
+                                    for (const Input& input : drawing.curves)
+                                      put_lengths(measure(*scheme, input), cell);
+                                  }));
   const std::uint64_t seed = context.seed;
   jobs.push_back(random_job(scheme, fmt::format("loop sizes, seed {}", seed), version, inputs,
                             [scheme, seed](std::uint64_t index, store::CellRecord& cell) {
@@ -87,7 +87,7 @@ std::vector<CellJob> jobs(const Context& context) {
 }
 
 std::vector<double> loops(const store::ExperimentRecord& record, std::size_t k, std::string_view dataset = {}) {
-  return ekappa::values(record, fmt::format("loop {:.2f}", sizes[k]), dataset);
+  return study::values(record, fmt::format("loop {:.2f}", sizes[k]), dataset);
 }
 
 store::TableRecord table(const store::ExperimentRecord& record) {
@@ -114,12 +114,12 @@ store::ClaimRecord growth_claim(const store::ExperimentRecord& record) {
     for (std::size_t i = 0; i < now.size(); ++i, steps += 1.0) grow += now[i] > before[i] ? 1.0 : 0.0;
   }
   return claim(
-      "loop-size", ekappa::verdict_in_general(grow, steps),
-      fmt::format("longer in {} steps of alpha = beta", ekappa::share(grow, steps)),
+      "loop-size", study::verdict_in_general(grow, steps),
+      fmt::format("longer in {} steps of alpha = beta", study::share(grow, steps)),
       fmt::format("alpha = beta from {} to {}, all loops of a curve at once; {} loops. {:.0f} of {:.0f} inputs are "
                   "left out because not all sizes were solved.",
-                  sizes.front(), sizes.back(), loops(record, 0).size(), ekappa::total(record, "unsolved"),
-                  ekappa::total(record, "inputs")));
+                  sizes.front(), sizes.back(), loops(record, 0).size(), study::total(record, "unsolved"),
+                  study::total(record, "inputs")));
 }
 
 store::FigureRecord figure(const store::ExperimentRecord& record) {

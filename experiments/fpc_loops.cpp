@@ -42,11 +42,11 @@ void search(const Scheme& kappa, int n, store::CellRecord& cell) {
         input.points.emplace_back(x, y);
       }
       const Fit fit = kappa.fit(input);
-      if (!ekappa::solved(fit)) continue;
-      ekappa::put(cell, fmt::format("{} {} solved", closed ? "closed" : "open", n), 1.0);
+      if (!study::solved(fit)) continue;
+      study::put(cell, fmt::format("{} {} solved", closed ? "closed" : "open", n), 1.0);
       most = std::max(most, static_cast<double>(self_intersections(*fit.curve).found.size()));
     }
-    ekappa::put(cell, fmt::format("{} {} most loops", closed ? "closed" : "open", n), most);
+    study::put(cell, fmt::format("{} {} most loops", closed ? "closed" : "open", n), most);
   }
 }
 
@@ -64,25 +64,13 @@ std::vector<CellJob> jobs(const Context& context) {
   return jobs;
 }
 
-struct Loops {
-  int cell = -1;
-  double points = 0.0, loops = 0.0, at_points = 0.0;
-};
-
 /// The cell of `shown[which]`.
 Loops loops_of(const store::ExperimentRecord& record, std::size_t which) {
-  for (std::size_t i = 0; i < record.cells.size(); ++i) {
-    const store::CellRecord& cell = record.cells[i];
-    if (cell.dataset != shown[which].first || cell.scheme != shown[which].second || cell.curves.empty()) continue;
-    const store::CurveRecord& curve = cell.curves.front();
-    return {static_cast<int>(i), static_cast<double>(curve.point_x.size()), measured(curve, "loops").value_or(0.0),
-            measured(curve, "loops_at_nodes").value_or(0.0)};
-  }
-  return {};
+  return fpc::loops_of(record, shown[which].first, shown[which].second);
 }
 
 double most_loops(const store::ExperimentRecord& record, std::string_view kind, int n) {
-  return largest(ekappa::values(record, fmt::format("{} {} most loops", kind, n)));
+  return largest(study::values(record, fmt::format("{} {} most loops", kind, n)));
 }
 
 /// The fewest points with which two loops were found; 0 if none.
@@ -110,7 +98,7 @@ store::TableRecord search_table(const store::ExperimentRecord& record) {
   builder.counts("closed, solved").counts("closed, most loops");
   for (const int n : point_counts) {
     const auto solved = [&](std::string_view kind) {
-      return ekappa::total(record, fmt::format("{} {} solved", kind, n));
+      return study::total(record, fmt::format("{} {} solved", kind, n));
     };
     builder.row({static_cast<double>(n), solved("open"), most_loops(record, "open", n), solved("closed"),
                  most_loops(record, "closed", n)});
@@ -148,7 +136,7 @@ store::ClaimRecord kappa_claim(const store::ExperimentRecord& record) {
   double tried = 0.0;
   for (const int n : point_counts)
     for (const std::string_view kind : {"open", "closed"})
-      tried += ekappa::total(record, fmt::format("{} {} solved", kind, n));
+      tried += study::total(record, fmt::format("{} {} solved", kind, n));
   return claim("kappa-needs-five",
                tried == 0.0 || all == 0 ? "not reproduced"
                : all < 5                ? "contradicted"

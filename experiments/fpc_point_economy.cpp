@@ -31,24 +31,9 @@ std::vector<CellJob> jobs(const Context& context) {
   return jobs;
 }
 
-struct Ring {
-  int cell = -1;
-  double points = 0.0, loops = 0.0, at_points = 0.0;
-};
-
-Ring ring_of(const store::ExperimentRecord& record, std::string_view dataset) {
-  for (std::size_t i = 0; i < record.cells.size(); ++i) {
-    const store::CellRecord& cell = record.cells[i];
-    if (cell.dataset != dataset || cell.curves.empty()) continue;
-    const store::CurveRecord& curve = cell.curves.front();
-    return {static_cast<int>(i), static_cast<double>(curve.point_x.size()), measured(curve, "loops").value_or(0.0),
-            measured(curve, "loops_at_nodes").value_or(0.0)};
-  }
-  return {};
-}
-
 void conclude(const Context&, store::ExperimentRecord& record) {
-  const Ring typed = ring_of(record, shown[0].first), plain = ring_of(record, shown[1].first);
+  const Loops typed = loops_of(record, shown[0].first, shown[0].second);
+  const Loops plain = loops_of(record, shown[1].first, shown[1].second);
   TableBuilder builder("points", "Points for twelve loops",
                        "A loop of a typed point has two numbers besides, α and β.");
   builder.words("curve").counts("points").counts("loops").counts("loops that close at a point");

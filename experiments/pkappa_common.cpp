@@ -34,9 +34,9 @@ std::vector<Node> inner_node_of_segments(const Curve& curve) {
 void put_parabolas(const Curve& curve, store::CellRecord& cell) {
   for (const Node& node : inner_node_of_segments(curve)) {
     const Parabola q = best_parabola(curve.segment(node.segment), node.t).parabola;
-    ekappa::put(cell, "a0", q.a0, Method::sampled);
-    ekappa::put(cell, "a1", q.a1, Method::sampled);
-    ekappa::put(cell, "a2", q.a2, Method::sampled);
+    study::put(cell, "a0", q.a0, Method::sampled);
+    study::put(cell, "a1", q.a1, Method::sampled);
+    study::put(cell, "a2", q.a2, Method::sampled);
   }
 }
 
@@ -66,9 +66,7 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }  // namespace
 
 store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours, std::string evidence) {
-  store::ClaimRecord record = ekappa::claim(id, std::move(verdict), std::move(ours), std::move(evidence));
-  record.paper = paper;
-  return record;
+  return study::claim(paper, id, std::move(verdict), std::move(ours), std::move(evidence));
 }
 
 SchemePtr pkappa(const Registry& registry, std::string_view options) {

@@ -5,13 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/ekappa_common.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/study.hpp"
+#include "experiments/verdicts.hpp"
 
 namespace kappabench::wang {
 
-/// What the experiments on the figures and tables of Wang et al. 2024 share, besides what those on the other papers
-/// offer.
+/// What the experiments on the figures and tables of Wang et al. 2024 share, besides what those on every
+/// paper do.
 
 inline constexpr std::string_view paper = "pkappa-2024-wang";
 

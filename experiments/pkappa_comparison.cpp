@@ -51,16 +51,16 @@ std::vector<SchemePtr> schemes(const Context& context) {
 
 /// The counts of the table, with the marks of the joints.
 void put_counts(const Findings& found, store::CellRecord& cell) {
-  ekappa::put(cell, "joints", found.joints);
-  ekappa::put(cell, "jumps", static_cast<double>(found.jumps.size()));
-  ekappa::put(cell, "jumps where curvature changes sign", found.jumps_at_sign_changes);
-  ekappa::put(cell, "points", found.points);
-  ekappa::put(cell, "points off extrema", static_cast<double>(found.off_extrema.size()));
-  ekappa::put(cell, "points off peaks", found.points_off_peaks);
-  ekappa::put(cell, "pieces", found.pieces);
-  ekappa::put(cell, "pieces with more than two", static_cast<double>(found.many_intervals.size()));
-  ekappa::put(cell, "alternating spans", found.alternating_spans);
-  ekappa::put(cell, "alternating spans not monotone", found.alternating_not_monotone);
+  study::put(cell, "joints", found.joints);
+  study::put(cell, "jumps", static_cast<double>(found.jumps.size()));
+  study::put(cell, "jumps where curvature changes sign", found.jumps_at_sign_changes);
+  study::put(cell, "points", found.points);
+  study::put(cell, "points off extrema", static_cast<double>(found.off_extrema.size()));
+  study::put(cell, "points off peaks", found.points_off_peaks);
+  study::put(cell, "pieces", found.pieces);
+  study::put(cell, "pieces with more than two", static_cast<double>(found.many_intervals.size()));
+  study::put(cell, "alternating spans", found.alternating_spans);
+  study::put(cell, "alternating spans not monotone", found.alternating_not_monotone);
 }
 
 using Draw = std::function<void(const Scheme&, const Fit&, const Findings&, store::CellRecord&)>;
@@ -83,7 +83,7 @@ void draw_many(const Scheme& scheme, const Fit& fit, const Findings& found, stor
 
 CellJob mark_job(const Drawing& points, const SchemePtr& scheme, std::string_view label, const Draw& draw) {
   CellJob job =
-      ekappa::study_job(points, scheme, label, version, [scheme, draw](const Drawing& d, store::CellRecord& cell) {
+      study::study_job(points, scheme, label, version, [scheme, draw](const Drawing& d, store::CellRecord& cell) {
         for (const Input& input : d.curves)
           if (const Fit fit = scheme->fit(input); fit.curve) draw(*scheme, fit, findings(fit), cell);
       });
@@ -243,7 +243,7 @@ store::ClaimRecord jumps_claim(const Results& results) {
   const double jumps = results.total("kappa", "jumps");
   const double there = results.total("kappa", "jumps where curvature changes sign");
   return claim(
-      "kappa-jumps-at-inflections", ekappa::verdict_for_all(jumps - there, jumps),
+      "kappa-jumps-at-inflections", study::verdict_for_all(jumps - there, jumps),
       fmt::format("{:.0f} jumps, {:.0f} of them at inflections", jumps, there),
       fmt::format("{:.0f} joints of the kappa-curves through the four inputs.", results.total("kappa", "joints")));
 }
@@ -254,7 +254,7 @@ store::ClaimRecord smooth_claim(const Results& results) {
     jumps += results.total(label, "jumps");
     joints += results.total(label, "joints");
   }
-  return claim("others-do-not-jump", ekappa::verdict_for_all(jumps, joints),
+  return claim("others-do-not-jump", study::verdict_for_all(jumps, joints),
                fmt::format("{:.0f} jumps at {:.0f} joints", jumps, joints),
                fmt::format("Jumps: yuksel {:.0f}, clothoid3 {:.0f}, pkappa {:.0f}.", results.total("yuksel", "jumps"),
                            results.total("clothoid3", "jumps"), results.total("pkappa", "jumps")));
@@ -272,7 +272,7 @@ store::ClaimRecord off_claim(const Results& results) {
   };
   return claim("yuksel-off-extrema", verdict == of_peaks ? verdict : "not reproduced",
                fmt::format("{} points off every extremum, {} off every peak of |kappa|",
-                           ekappa::share(off.agree, points), ekappa::share(off_peaks.agree, points)),
+                           study::share(off.agree, points), study::share(off_peaks.agree, points)),
                fmt::format("Off: farther than {:g} of the local chord. Where the first reading alone fails, points "
                            "are at a dip between two peaks. Others off every extremum: {}; off every peak: {}.",
                            visible_offset, others("points off extrema"), others("points off peaks")));
@@ -296,8 +296,8 @@ store::ClaimRecord many_claim(const Results& results) {
 store::ClaimRecord alternating_claim(const Results& results) {
   const double spans = results.total("clothoid3", "alternating spans");
   const double against = results.total("clothoid3", "alternating spans not monotone");
-  return claim("clothoid3-monotone-if-alternating", ekappa::verdict_for_all(against, spans),
-               fmt::format("{} spans", ekappa::share(spans - against, spans)),
+  return claim("clothoid3-monotone-if-alternating", study::verdict_for_all(against, spans),
+               fmt::format("{} spans", study::share(spans - against, spans)),
                "Spans of the four clothoid curves between points with curvature of opposite signs.");
 }
 
@@ -315,7 +315,7 @@ store::ClaimRecord uniform_claim(const Results& results) {
     lower.add(own < k && own < y);
     numbers.push_back(fmt::format("{}: {:.3g} against {:.3g} and {:.3g}", s.dataset, own, k, y));
   }
-  return claim("pkappa-more-uniform", ekappa::verdict_for_all(lower.cases - lower.agree, lower.cases),
+  return claim("pkappa-more-uniform", study::verdict_for_all(lower.cases - lower.agree, lower.cases),
                fmt::format("lower on {:.0f} of {:.0f} inputs", lower.agree, lower.cases),
                fmt::format("L^3 times the integral of (d kappa / ds)^2, jumps not counted, pkappa against kappa and "
                            "yuksel. {}.",

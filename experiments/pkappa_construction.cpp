@@ -144,9 +144,9 @@ void count_insertions(const Scheme& scheme, const Input& input, store::CellRecor
     Input part = input;
     part.points.resize(static_cast<std::size_t>(n));
     Fit fit = scheme.fit(part);
-    if (before && ekappa::solved(*before) && ekappa::solved(fit)) {
+    if (before && study::solved(*before) && study::solved(fit)) {
       const auto found = changed_segments(*before->curve, *fit.curve, [](int i) { return std::optional(i); });
-      ekappa::put(cell, "changed by an insertion", static_cast<double>(found.size()));
+      study::put(cell, "changed by an insertion", static_cast<double>(found.size()));
     }
     before = std::move(fit);
   }
@@ -156,16 +156,16 @@ void count_closing(const Scheme& scheme, Input input, store::CellRecord& cell) {
   const Fit open = scheme.fit(input);
   input.closed = true;
   const Fit closed = scheme.fit(input);
-  if (!ekappa::solved(open) || !ekappa::solved(closed)) return;
+  if (!study::solved(open) || !study::solved(closed)) return;
   const auto found =
       changed_segments(*open.curve, *closed.curve, [](int i) { return i == 0 ? std::nullopt : std::optional(i - 1); });
-  ekappa::put(cell, "changed by closing", static_cast<double>(found.size()));
+  study::put(cell, "changed by closing", static_cast<double>(found.size()));
 }
 
 /// Moves every point in turn by a fifth of the mean chord.
 void count_moves(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const Fit fit = scheme.fit(input);
-  if (!ekappa::solved(fit)) return;
+  if (!study::solved(fit)) return;
   const int n = input.size();
   for (int i = 0; i < n; ++i) {
     const double angle = 2.4 * i;
@@ -173,8 +173,8 @@ void count_moves(const Scheme& scheme, const Input& input, store::CellRecord& ce
     if (!edited.curve) continue;
     const auto found = changed_segments(*fit.curve, *edited.curve, [](int k) { return std::optional(k); });
     const bool near_end = !input.closed && (i < 2 || i >= n - 2);
-    ekappa::put(cell, near_end ? "changed by moving near an end" : "changed by moving",
-                static_cast<double>(found.size()));
+    study::put(cell, near_end ? "changed by moving near an end" : "changed by moving",
+               static_cast<double>(found.size()));
   }
 }
 
@@ -240,7 +240,7 @@ store::TableRecord table(const store::ExperimentRecord& record) {
 store::ClaimRecord count_claim(const store::ExperimentRecord& record, std::string_view id, const What& what) {
   const auto counts = counts_of(record, "paper", what), robust = counts_of(record, "local", what);
   return claim(
-      id, ekappa::verdict_for_all(above(counts, what), static_cast<double>(counts.size())),
+      id, study::verdict_for_all(above(counts, what), static_cast<double>(counts.size())),
       fmt::format("at most {:.0f} segments in {} edits", counts.empty() ? 0.0 : largest(counts), counts.size()),
       fmt::format("Windows as printed, random curves, bit for bit. With robust windows at most {:.0f}, and above "
                   "{:.0f} in {:.0f} of {} edits.",
@@ -260,7 +260,7 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
     const std::string dataset = fmt::format("{}: {}", step.dataset, step.title);
     std::vector<int> cells;
     for (const std::string_view label : {initial, kept, changed})
-      if (const auto cell = ekappa::drawn_cell(record, dataset, label)) cells.push_back(*cell);
+      if (const auto cell = study::drawn_cell(record, dataset, label)) cells.push_back(*cell);
     if (cells.size() == 3) figure.panels.push_back(curve_panel(std::move(cells), std::string(step.title), false));
   }
   return figure;

@@ -51,10 +51,10 @@ std::string label_of_sweep(const Kind& kind, const Sort& sort) { return fmt::for
 
 void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const auto put = [&cell](std::string column, double value, Method method) {
-    ekappa::put(cell, std::move(column), value, method);
+    study::put(cell, std::move(column), value, method);
   };
   const Fit fit = scheme.fit(input);
-  const bool solved = ekappa::solved(fit);
+  const bool solved = study::solved(fit);
   put("solved", solved ? 1.0 : 0.0, Method::exact);
   // One value a curve in every column, so that curves can be compared across cells.
   const double nothing = std::nan("");
@@ -166,7 +166,7 @@ struct Energy {
 
 Energy energy_of(const store::ExperimentRecord& record, const Kind& kind) {
   Energy energy;
-  const auto cell = ekappa::drawn_cell(record, shown, kind.words);
+  const auto cell = study::drawn_cell(record, shown, kind.words);
   if (!cell) return energy;
   energy.cell = *cell;
   double segments = 0.0;
@@ -204,7 +204,7 @@ store::ClaimRecord held_claim(const store::ExperimentRecord& record) {
       missed += sum(column_of(record, kind, sort, "missed joints"));
       solved += sum(column_of(record, kind, sort, "solved"));
     }
-  return claim("continuity-held", ekappa::verdict_for_all(missed, solved),
+  return claim("continuity-held", study::verdict_for_all(missed, solved),
                fmt::format("{:.0f} joints miss their continuity", missed),
                fmt::format("All joints of {:.0f} random curves: C1, G1, C2 and G2, open and closed.", solved));
 }
@@ -222,8 +222,8 @@ store::ClaimRecord geometric_claim(const store::ExperimentRecord& record) {
   for (std::size_t k = 0; k < kinds.size(); ++k) drawn[k] = energy_of(record, kinds[k]).mean;
   return claim("geometric-lowers-energy",
                verdict_often({.agree = first.agree + second.agree, .cases = first.cases + second.cases}),
-               fmt::format("G1 below C1 on {}, G2 below C2 on {}", ekappa::share(first.agree, first.cases),
-                           ekappa::share(second.agree, second.cases)),
+               fmt::format("G1 below C1 on {}, G2 below C2 on {}", study::share(first.agree, first.cases),
+                           study::share(second.agree, second.cases)),
                fmt::format("Mean E_p of the random curves, open (local) and closed (global), where both are solved. On "
                            "the stand-in for Fig. 13: C1 {:.2g}, G1 {:.2g}, C2 {:.2g}, G2 {:.2g}. The paper says that "
                            "more freedom often enables lower energy.",
@@ -241,7 +241,7 @@ store::ClaimRecord intervals_claim(const store::ExperimentRecord& record) {
       each += fmt::format("{}{} {:.1f} %", each.empty() ? "" : ", ", label_of_sweep(kind, sort),
                           100.0 * tally.agree / std::max(1.0, tally.cases));
     }
-  return claim("two-intervals", verdict_often(all), fmt::format("{} segments", ekappa::share(all.agree, all.cases)),
+  return claim("two-intervals", verdict_often(all), fmt::format("{} segments", study::share(all.agree, all.cases)),
                fmt::format("Random curves, exact isolation of the extrema of curvature: {}.", each));
 }
 
@@ -256,9 +256,9 @@ store::ClaimRecord extrema_claim(const store::ExperimentRecord& record) {
         all.add(offset <= near);
         offsets.push_back(offset);
       }
-  return claim("points-near-extrema", ekappa::verdict_in_general(all.agree, all.cases),
+  return claim("points-near-extrema", study::verdict_in_general(all.agree, all.cases),
                fmt::format("within {:g} chords on average on {} curves; median {:.2g}", near,
-                           ekappa::share(all.agree, all.cases), median(offsets)),
+                           study::share(all.agree, all.cases), median(offsets)),
                "Arc length from each point to the nearest extremum of curvature over the local chord, mean over the "
                "points of a random curve.");
 }
@@ -272,7 +272,7 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
                              .columns = 2,
                              .panels = {}};
   for (const Kind& kind : kinds)
-    if (const auto cell = ekappa::drawn_cell(record, shown, kind.words)) {
+    if (const auto cell = study::drawn_cell(record, shown, kind.words)) {
       figure.panels.push_back(curve_panel({*cell}, std::string(kind.words), true));
       figure.panels.back().points = false;
     }

@@ -62,7 +62,7 @@ struct Statistics {
 
 Statistics statistics_of(const store::ExperimentRecord& record, const Row& row, std::string_view label) {
   Statistics s;
-  const auto cell = ekappa::drawn_cell(record, row.dataset, label);
+  const auto cell = study::drawn_cell(record, row.dataset, label);
   if (!cell) return s;
   s.cell = *cell;
   for (const store::CurveRecord& curve : record.cells[static_cast<std::size_t>(*cell)].curves) {
@@ -123,11 +123,11 @@ store::ClaimRecord energy_claim(const store::ExperimentRecord& record) {
   double worst = 0.0;
   for (const Row& row : rows) worst = std::max(worst, statistics_of(record, row, as_default).mean);
   return claim(
-      "mean-energy-bound", ekappa::verdict_for_all(plain.cases - plain.agree, plain.cases),
-      fmt::format("below on {}; the largest is {:.3g}", ekappa::share(plain.agree, plain.cases), worst),
+      "mean-energy-bound", study::verdict_for_all(plain.cases - plain.agree, plain.cases),
+      fmt::format("below on {}; the largest is {:.3g}", study::share(plain.agree, plain.cases), worst),
       fmt::format("Our drawings in their own units, default mode. Windows as printed: {}. Times the mean chord, "
                   "default mode: {}.",
-                  ekappa::share(printed.agree, printed.cases), ekappa::share(free.agree, free.cases)));
+                  study::share(printed.agree, printed.cases), study::share(free.agree, free.cases)));
 }
 
 store::ClaimRecord time_claim(const store::ExperimentRecord& record) {
@@ -138,7 +138,7 @@ store::ClaimRecord time_claim(const store::ExperimentRecord& record) {
     worst = std::max(worst, statistics_of(record, row, as_default).seconds);
     printed = std::max(printed, statistics_of(record, row, as_printed).seconds);
   }
-  return claim("time-bound", ekappa::verdict_for_all(plain.cases - plain.agree, plain.cases),
+  return claim("time-bound", study::verdict_for_all(plain.cases - plain.agree, plain.cases),
                fmt::format("at most {:.2g} ms per point", 1e3 * worst),
                fmt::format("Default mode on this machine; windows as printed take at most {:.2g} ms. The paper timed "
                            "MATLAB's interior-point method on another machine.",
@@ -152,7 +152,7 @@ store::FigureRecord cartoons(const store::ExperimentRecord& record) {
                              .columns = 3,
                              .panels = {}};
   for (const Row& row : rows)
-    if (const auto cell = ekappa::drawn_cell(record, row.dataset, as_default); cell && row.dataset != "car") {
+    if (const auto cell = study::drawn_cell(record, row.dataset, as_default); cell && row.dataset != "car") {
       figure.panels.push_back(curve_panel({*cell}, std::string(row.dataset), false));
       figure.panels.back().joints = false;
     }
@@ -165,7 +165,7 @@ store::FigureRecord car(const store::ExperimentRecord& record) {
                              .caption = "141 points in 35 open curves, a stand-in for Fig. 12; below with combs.",
                              .columns = 1,
                              .panels = {}};
-  if (const auto cell = ekappa::drawn_cell(record, "car", as_default)) {
+  if (const auto cell = study::drawn_cell(record, "car", as_default)) {
     figure.panels.push_back(curve_panel({*cell}, "points", false));
     figure.panels.push_back(curve_panel({*cell}, "combs", true));
     for (store::PanelRecord& panel : figure.panels) panel.joints = false;

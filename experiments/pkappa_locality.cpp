@@ -103,8 +103,8 @@ void draw_spans(const Way& way, const Drawing& drawing, double from, double to, 
 
 void add_drawn_jobs(std::vector<CellJob>& jobs, const Way& way, const Drawing& drawing) {
   const auto job = [&](std::string_view label, std::function<void(const Drawing&, store::CellRecord&)> draw) {
-    jobs.push_back(ekappa::study_job(drawing, way.scheme, fmt::format("locality of {}: {}", way.label, label), version,
-                                     std::move(draw)));
+    jobs.push_back(study::study_job(drawing, way.scheme, fmt::format("locality of {}: {}", way.label, label), version,
+                                    std::move(draw)));
     jobs.back().label = label;
     jobs.back().dataset = way.label;
   };
@@ -148,11 +148,11 @@ store::FigureRecord shown_figure(const store::ExperimentRecord& record) {
 void measure_move(const Way& way, const Fit& before, int point, const Vec2& by, store::CellRecord& cell) {
   const Fit after = after_move(way, before, point, by);
   const auto deviations = deviations_of(before, after);
-  if (!deviations || !ekappa::solved(after)) {
-    ekappa::put(cell, "failed", 1.0);
+  if (!deviations || !study::solved(after)) {
+    study::put(cell, "failed", 1.0);
     return;
   }
-  const auto largest = ekappa::largest_by_distance(spans(*before.curve), *deviations, point, true, farthest);
+  const auto largest = study::largest_by_distance(spans(*before.curve), *deviations, point, true, farthest);
   const double noise = rounding * mean_chord(before.input);
   double seen = 0.0, any = 0.0;
   for (int d = 1; d <= farthest; ++d) {
@@ -160,18 +160,18 @@ void measure_move(const Way& way, const Fit& before, int point, const Vec2& by, 
     if (std::isnan(deviation)) continue;
     if (deviation > visible * by.norm()) seen = d;
     if (deviation > noise) any = d;
-    ekappa::put(cell, fmt::format("influence {}", d), deviation / by.norm(), Method::sampled);
+    study::put(cell, fmt::format("influence {}", d), deviation / by.norm(), Method::sampled);
   }
-  ekappa::put(cell, "visible reach", seen, Method::sampled);
-  ekappa::put(cell, "reach", any, Method::sampled);
+  study::put(cell, "visible reach", seen, Method::sampled);
+  study::put(cell, "reach", any, Method::sampled);
 }
 
 void measure_input(const Way& way, const Input& input, store::CellRecord& cell) {
   const Fit before = way.scheme->fit(input);
   for (int point = 0; point < input.size(); point += every)
     for (int k = 0; k < directions; ++k) {
-      if (!ekappa::solved(before)) {
-        ekappa::put(cell, "failed", 1.0);
+      if (!study::solved(before)) {
+        study::put(cell, "failed", 1.0);
         continue;
       }
       const double angle = 2.4 * (point + k);
@@ -254,8 +254,8 @@ store::ClaimRecord kappa_claim(const store::ExperimentRecord& record) {
   const auto agree = static_cast<double>(std::ranges::count_if(seen, [](double d) { return d >= printed; }));
   const auto cases = static_cast<double>(seen.size());
   return claim(
-      "kappa-reaches-six", ekappa::verdict_in_general(agree, cases),
-      fmt::format("at least {} neighbours on each side in {} moves", printed, ekappa::share(agree, cases)),
+      "kappa-reaches-six", study::verdict_in_general(agree, cases),
+      fmt::format("at least {} neighbours on each side in {} moves", printed, study::share(agree, cases)),
       fmt::format("Random closed curves of {} points; a change is visible above 1 % of the displacement. "
                   "Visible reach: median {:.3g}, most {:.0f} neighbours on each side; any change above rounding: "
                   "median {:.3g}, most {:.0f}.",
@@ -280,7 +280,7 @@ store::ClaimRecord local_claim(const store::ExperimentRecord& record, std::strin
     attained = attained && !any.empty() && largest(any) >= printed;
     if (!any.empty()) ours.push_back(fmt::format("{}: {:.0f} on each side", label, largest(any)));
   }
-  std::string verdict = ekappa::verdict_for_all(against, cases);
+  std::string verdict = study::verdict_for_all(against, cases);
   if (against == 0.0 && !attained) verdict = "not reproduced";
   return claim(id, std::move(verdict), fmt::format("{}", fmt::join(ours, "; ")),
                fmt::format("Most neighbours that a change above rounding reaches in {:.0f} moves of single points of "

@@ -96,12 +96,12 @@ double answer(const Scheme& scheme, std::size_t question, std::uint64_t seed, in
   const bool symmetric = question >= 2, closed = question == 3;
   const Input input = symmetric ? symmetric_input(seed, index, closed) : random_curve(seed, index, points, closed);
   const Fit fit = scheme.fit(input);
-  if (!ekappa::solved(fit)) return std::nan("");
+  if (!study::solved(fit)) return std::nan("");
   const std::vector<Span> own = spans(*fit.curve);
   const double chord = mean_chord(input);
   if (symmetric) return deviation(own, mirrored(backwards_spans(*fit.curve, points)), closed) / chord;
   const Fit other = scheme.fit(question == 0 ? reversed_input(input) : mirrored_input(input));
-  if (!ekappa::solved(other)) return std::nan("");
+  if (!study::solved(other)) return std::nan("");
   const auto theirs = question == 0 ? backwards_spans(*other.curve, points) : mirrored(spans(*other.curve));
   return deviation(own, theirs, closed) / chord;
 }
@@ -132,7 +132,7 @@ std::vector<CellJob> jobs(const Context& context) {
         fmt::format("random, {} points, seed {}", points, seed), scheme, fmt::format("numbers: {}", mode.words),
         version, curves, [scheme, seed](int index, store::CellRecord& cell) {
           for (std::size_t q = 0; q < questions.size(); ++q)
-            ekappa::put(cell, std::string(questions[q]), answer(*scheme, q, seed, index), Method::sampled);
+            study::put(cell, std::string(questions[q]), answer(*scheme, q, seed, index), Method::sampled);
         }));
   }
   return jobs;
@@ -183,7 +183,7 @@ store::ClaimRecord limitation_claim(const store::ExperimentRecord& record) {
                : all.agree > 0.0 ? "reproduced"
                                  : "contradicted",
                fmt::format("asymmetric by more than {:g} chords on {}; median {:.2g}, largest {:.2g}", visible,
-                           ekappa::share(all.agree, all.cases), median(values), largest(values)),
+                           study::share(all.agree, all.cases), median(values), largest(values)),
                "Symmetric random points, open and closed, window by window; the curve against its mirror image.");
 }
 
@@ -198,9 +198,9 @@ store::ClaimRecord global_claim(const store::ExperimentRecord& record) {
       ours.push_back(at_once[i]);
     }
   }
-  return claim("global-may-improve", ekappa::verdict_in_general(better.agree, better.cases),
+  return claim("global-may-improve", study::verdict_in_general(better.agree, better.cases),
                fmt::format("less asymmetry, or less effect of reversal, on {}; median {:.2g}, largest {:.2g} chords",
-                           ekappa::share(better.agree, better.cases), median(ours), largest(ours)),
+                           study::share(better.agree, better.cases), median(ours), largest(ours)),
                "Random points forwards against backwards, and symmetric points against their mirror image: the whole "
                "curve at once against window by window.");
 }
@@ -215,9 +215,9 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
                              .columns = 2,
                              .panels = {}};
   for (const Mode& mode : {modes[local], modes[global]}) {
-    const auto there = ekappa::drawn_cell(record, fmt::format("order, {}", mode.words), forwards);
-    const auto back = ekappa::drawn_cell(record, fmt::format("order, {}", mode.words), backwards);
-    const auto own = ekappa::drawn_cell(record, fmt::format("symmetric, {}", mode.words), mode.words);
+    const auto there = study::drawn_cell(record, fmt::format("order, {}", mode.words), forwards);
+    const auto back = study::drawn_cell(record, fmt::format("order, {}", mode.words), backwards);
+    const auto own = study::drawn_cell(record, fmt::format("symmetric, {}", mode.words), mode.words);
     if (!there || !back || !own) continue;
     figure.panels.push_back(curve_panel({*there, *back}, fmt::format("two orders, {}", mode.words), true));
     figure.panels.push_back(curve_panel({*own}, fmt::format("symmetric points, {}", mode.words), true));

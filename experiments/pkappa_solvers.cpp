@@ -68,14 +68,14 @@ void measure(const std::vector<std::pair<Way, SchemePtr>>& all, const Input& inp
       ++repetitions;
       seconds = processor_seconds() - start;
     } while (seconds < least_seconds && repetitions < most_repetitions);
-    const bool solved = ekappa::solved(fit);
+    const bool solved = study::solved(fit);
     cell.timings[way.words].push_back(seconds / repetitions / inserted);
-    ekappa::put(cell, way.words + ": energy", solved ? first_stage_energy(*fit.curve, chord) / inserted : std::nan(""),
-                Method::sampled);
-    ekappa::put(cell, way.words + ": mean E", solved ? mean(parabola_energies(*fit.curve)) * chord : std::nan(""),
-                Method::sampled);
+    study::put(cell, way.words + ": energy", solved ? first_stage_energy(*fit.curve, chord) / inserted : std::nan(""),
+               Method::sampled);
+    study::put(cell, way.words + ": mean E", solved ? mean(parabola_energies(*fit.curve)) * chord : std::nan(""),
+               Method::sampled);
     for (const auto& [counter, count] : fit.report.counters)
-      ekappa::put(cell, fmt::format("{}: {}", way.words, counter), static_cast<double>(count));
+      study::put(cell, fmt::format("{}: {}", way.words, counter), static_cast<double>(count));
   }
 }
 
@@ -120,7 +120,7 @@ Against against(const store::ExperimentRecord& record, const std::string& words,
   for (std::size_t i = 0; i < std::min(own_time.size(), lm_time.size()); ++i)
     ratios.push_back(own_time[i] / lm_time[i]);
   a.ratio = median(ratios);
-  const auto own = ekappa::values(record, words + ": energy"), other = ekappa::values(record, lm + ": energy");
+  const auto own = study::values(record, words + ": energy"), other = study::values(record, lm + ": energy");
   for (std::size_t i = 0; i < std::min(own.size(), other.size()); ++i) {
     if (std::isnan(own[i]) || std::isnan(other[i])) continue;
     energy_ratios.push_back(own[i] / other[i]);
@@ -143,7 +143,7 @@ store::TableRecord table(const store::ExperimentRecord& record, const Registry& 
   builder.words("solver").words("windows").counts("curves").counts("solved").numbers("energy");
   builder.numbers("energy over lm").counts("lower").counts("higher").numbers("time", "ms").numbers("ratio to lm");
   for (const Way& way : ways(registry)) {
-    const auto energies = ekappa::values(record, way.words + ": energy");
+    const auto energies = study::values(record, way.words + ": energy");
     if (!way.words.ends_with("stage 1") || energies.empty()) continue;
     const Against a = against(record, way.words, fmt::format("lm, {}, stage 1", way.mode));
     const auto unsolved = std::ranges::count_if(energies, [](double e) { return std::isnan(e); });
@@ -162,7 +162,7 @@ store::TableRecord whole_table(const store::ExperimentRecord& record) {
   builder.words("construction").numbers("time", "ms").numbers("mean E");
   for (const std::string words : {"lm, local, stage 1", "lm, local, both stages", "lm, global, both stages"})
     if (const auto own = times(record, words); !own.empty())
-      builder.row({words, 1e3 * median(own), median(ekappa::values(record, words + ": mean E"))});
+      builder.row({words, 1e3 * median(own), median(study::values(record, words + ": mean E"))});
   return builder.table();
 }
 
@@ -177,7 +177,7 @@ store::TableRecord counter_table(const store::ExperimentRecord& record) {
   for (const std::string words : {"lm, local, stage 1", "lm, paper, stage 1", "lm, local, both stages"}) {
     std::vector<TableBuilder::Cell> row{words};
     for (const std::string_view counter : counters)
-      row.emplace_back(ekappa::total(record, fmt::format("{}: {}", words, counter)));
+      row.emplace_back(study::total(record, fmt::format("{}: {}", words, counter)));
     if (!times(record, words).empty()) builder.row(row);
   }
   return builder.table();
@@ -192,9 +192,9 @@ store::ClaimRecord cost_claim(const store::ExperimentRecord& record) {
     ratios.push_back(at_once[i] / windows[i]);
   }
   return claim(
-      "global-costs-more", ekappa::verdict_in_general(dearer.agree, dearer.cases),
+      "global-costs-more", study::verdict_in_general(dearer.agree, dearer.cases),
       fmt::format("the whole curve at once takes longer on {}; median ratio {:.2g}",
-                  ekappa::share(dearer.agree, dearer.cases), median(ratios)),
+                  study::share(dearer.agree, dearer.cases), median(ratios)),
       fmt::format("Processor time of both stages, random curves of {} points inserted one by one, or solved at "
                   "once with a block tridiagonal system. A later edit costs one window, or the whole curve "
                   "again.",

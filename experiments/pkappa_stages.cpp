@@ -52,8 +52,8 @@ std::vector<CellJob> jobs(const Context& context) {
     const SchemePtr scheme = pkappa(context.registry, stage.options);
     const auto energy = [scheme](const Input& input, store::CellRecord& cell) {
       const Fit fit = scheme->fit(input);
-      ekappa::put(cell, "mean E", ekappa::solved(fit) ? mean(parabola_energies(*fit.curve)) : std::nan(""),
-                  Method::sampled);
+      study::put(cell, "mean E", study::solved(fit) ? mean(parabola_energies(*fit.curve)) : std::nan(""),
+                 Method::sampled);
     };
     jobs.push_back(sweep_job(fmt::format("random, {} points, seed {}", points, seed), scheme,
                              fmt::format("random: {}", stage.words), version, curves,
@@ -129,12 +129,12 @@ store::TableRecord random_table(const store::ExperimentRecord& record) {
 store::ClaimRecord stage_claim(const store::ExperimentRecord& record) {
   const Comparison printed = compared(record, 0), local = compared(record, 2);
   return claim(
-      "stage-2-lowers-energy", ekappa::verdict_in_general(printed.lower.agree, printed.lower.cases),
+      "stage-2-lowers-energy", study::verdict_in_general(printed.lower.agree, printed.lower.cases),
       fmt::format("mean E lower after stage 2 on {}, median ratio {:.3g}",
-                  ekappa::share(printed.lower.agree, printed.lower.cases), median(printed.ratios)),
+                  study::share(printed.lower.agree, printed.lower.cases), median(printed.ratios)),
       fmt::format("Windows as printed, random curves with mean chord 1, stage 2 of at most 10 iterations. With a "
                   "tenth of the weights kept until it converges (default): {}, median ratio {:.3g}.",
-                  ekappa::share(local.lower.agree, local.lower.cases), median(local.ratios)));
+                  study::share(local.lower.agree, local.lower.cases), median(local.ratios)));
 }
 
 void conclude(const Context&, store::ExperimentRecord& record) {
@@ -150,7 +150,7 @@ void conclude(const Context&, store::ExperimentRecord& record) {
       .panels = {}};
   std::vector<store::PanelRecord> graphs, differences;
   for (const std::size_t k : drawn_stages)
-    if (const auto cell = ekappa::drawn_cell(record, shown, stages[k].words)) {
+    if (const auto cell = study::drawn_cell(record, shown, stages[k].words)) {
       const std::string table = fmt::format("parabolas-{}", k);
       record.tables.push_back(parabola_table(record, table, {*cell}, 16));
       figure.panels.push_back(curve_panel({*cell}, std::string(stages[k].words), true));

@@ -50,10 +50,10 @@ Tally trend(const Curve& curve) {
 
 void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const Fit fit = scheme.fit(input);
-  if (!ekappa::solved(fit)) return;
+  if (!study::solved(fit)) return;
   const Tally tally = trend(*fit.curve);
-  ekappa::put(cell, "same trend", tally.agree / tally.cases, Method::sampled);
-  ekappa::put(cell, "E_p", parabola_energies(*fit.curve).front() * mean_chord(input), Method::sampled);
+  study::put(cell, "same trend", tally.agree / tally.cases, Method::sampled);
+  study::put(cell, "E_p", parabola_energies(*fit.curve).front() * mean_chord(input), Method::sampled);
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -87,21 +87,21 @@ store::TableRecord numbers(const store::CurveRecord& curve) {
 }
 
 store::ClaimRecord trend_claim(const store::ExperimentRecord& record) {
-  const std::vector<double> shares = ekappa::values(record, "same trend");
+  const std::vector<double> shares = study::values(record, "same trend");
   const auto cases = static_cast<double>(shares.size());
   const auto full = static_cast<double>(std::ranges::count(shares, 1.0));
   const double average = cases > 0.0 ? mean(shares) : 0.0;
   return claim(
-      "parabola-trend", ekappa::verdict_in_general(average * cases, cases),
+      "parabola-trend", study::verdict_in_general(average * cases, cases),
       fmt::format("κ' has the sign of the parabola's slope on {:.1f} % of [0, 1] on average", 100.0 * average),
       fmt::format("{:.0f} single segments through random triples (legs of 4 : 1 to 1 : 4), {:.0f} of them with "
                   "the sign of the parabola's slope everywhere; median E_p times mean chord {:.2g}.",
-                  cases, full, median(ekappa::values(record, "E_p"))));
+                  cases, full, median(study::values(record, "E_p"))));
 }
 
 void conclude(const Context&, store::ExperimentRecord& record) {
   record.claims = {trend_claim(record)};
-  const auto drawn = ekappa::drawn_cell(record, shown, "pκ, C2");
+  const auto drawn = study::drawn_cell(record, shown, "pκ, C2");
   if (!drawn) return;
   record.tables = {numbers(record.cells[static_cast<std::size_t>(*drawn)].curves.front()),
                    parabola_table(record, "toy-parabola", {*drawn}, 32)};

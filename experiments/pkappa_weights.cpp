@@ -75,7 +75,7 @@ struct Energy {
 };
 
 Energy energy_of(const Fit& fit) {
-  if (!ekappa::solved(fit)) return {};
+  if (!study::solved(fit)) return {};
   const std::vector<double> all = parabola_energies(*fit.curve);
   return {mean(all), largest(all)};
 }
@@ -100,11 +100,11 @@ void measure(const Scheme& scheme, std::uint64_t seed, int index, store::CellRec
   const Fit fit = scheme.fit(usual);
   const Energy energy = energy_of(fit);
   const auto put = [&cell](std::string column, double value) {
-    ekappa::put(cell, std::move(column), value, Method::sampled);
+    study::put(cell, std::move(column), value, Method::sampled);
   };
   put("mean", energy.mean);
   put("largest", energy.largest);
-  put("solved", ekappa::solved(fit) ? 1.0 : 0.0);
+  put("solved", study::solved(fit) ? 1.0 : 0.0);
   const bool drawn = fit.curve.has_value();
   put("length", drawn ? arc_length(*fit.curve, 1e-6) / (usual_chord * (points - 1)) : std::nan(""));
   put("crossings", drawn ? static_cast<double>(self_intersections(*fit.curve).found.size()) : std::nan(""));
@@ -124,8 +124,8 @@ std::string cap_label(const Pair& pair, int cap) { return fmt::format("cap {} {}
 
 void measure_capped(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
   const Fit fit = scheme.fit(input);
-  ekappa::put(cell, "capped mean", energy_of(fit).mean, Method::sampled);
-  ekappa::put(cell, "capped length", fit.curve ? arc_length(*fit.curve, 1e-6) : std::nan(""), Method::sampled);
+  study::put(cell, "capped mean", energy_of(fit).mean, Method::sampled);
+  study::put(cell, "capped length", fit.curve ? arc_length(*fit.curve, 1e-6) : std::nan(""), Method::sampled);
 }
 
 std::vector<CellJob> jobs(const Context& context) {
@@ -149,7 +149,7 @@ std::vector<CellJob> jobs(const Context& context) {
     jobs.push_back(sweep_job(dataset, own, robust_label(pair), version, robust_curves,
                              [own, seed](int index, store::CellRecord& cell) {
                                const Input input = walk(seed, index);
-                               ekappa::put(cell, "robust mean", energy_of(own->fit(input)).mean, Method::sampled);
+                               study::put(cell, "robust mean", energy_of(own->fit(input)).mean, Method::sampled);
                              }));
   }
   for (const std::size_t p : {unweighted, chosen})
@@ -195,7 +195,7 @@ std::vector<double> printed_means() {
 }
 
 const store::CurveRecord* shown_curve(const store::ExperimentRecord& record, const Pair& pair) {
-  const auto cell = ekappa::drawn_cell(record, shown, pair.words);
+  const auto cell = study::drawn_cell(record, shown, pair.words);
   if (!cell || record.cells[static_cast<std::size_t>(*cell)].curves.empty()) return nullptr;
   return &record.cells[static_cast<std::size_t>(*cell)].curves.front();
 }
@@ -330,7 +330,7 @@ store::ClaimRecord elongation_claim(const store::ExperimentRecord& record) {
   return claim(
       "no-weights-elongate", verdict_often(longer),
       fmt::format("at least a tenth longer than with (0.1, 0.1) on {}; median ratio {:.3g}, largest {:.3g}",
-                  ekappa::share(longer.agree, longer.cases), median(ratios), largest(ratios)),
+                  study::share(longer.agree, longer.cases), median(ratios), largest(ratios)),
       fmt::format("Random curves that both rows drew, of which {} are longer at all. Curves that cross themselves: {} "
                   "without weights, {} with (0.1, 0.1). With a cap of {} iterations in stage 2 the median ratio is "
                   "{:.3g}, the largest {:.3g}. The paper's cap is unknown.",
@@ -347,8 +347,8 @@ store::ClaimRecord best_claim(const store::ExperimentRecord& record) {
       const auto lowest = [&](const auto& other) { return means[chosen][i] <= other[i]; };
       best.add(std::isfinite(means[chosen][i]) && std::ranges::all_of(means, lowest));
     }
-  return claim("best-weights", ekappa::verdict_in_general(best.agree, best.cases),
-               fmt::format("lowest of the eight on {}", ekappa::share(best.agree, best.cases)),
+  return claim("best-weights", study::verdict_in_general(best.agree, best.cases),
+               fmt::format("lowest of the eight on {}", study::share(best.agree, best.cases)),
                fmt::format("Random open curves of {} points, mean chord {:g}; unsolved curves count as infinite.",
                            points, usual_chord));
 }
@@ -360,8 +360,8 @@ store::ClaimRecord range_claim(const store::ExperimentRecord& record) {
     for (std::size_t i = 0; i < means.front().size(); ++i)
       for (const std::size_t in : favourable)
         for (const std::size_t out : others) lower.add(means[in][i] < means[out][i]);
-  return claim("favourable-range", ekappa::verdict_in_general(lower.agree, lower.cases),
-               fmt::format("lower mean E inside the range than outside in {}", ekappa::share(lower.agree, lower.cases)),
+  return claim("favourable-range", study::verdict_in_general(lower.agree, lower.cases),
+               fmt::format("lower mean E inside the range than outside in {}", study::share(lower.agree, lower.cases)),
                "Every pair of a row inside the range and one outside it, on every random curve.");
 }
 
@@ -433,7 +433,7 @@ std::vector<store::FigureRecord> figures(const store::ExperimentRecord& record) 
                             .columns = 4,
                             .panels = {}};
   for (const Pair& pair : pairs)
-    if (const auto cell = ekappa::drawn_cell(record, shown, pair.words))
+    if (const auto cell = study::drawn_cell(record, shown, pair.words))
       drawn.panels.push_back(curve_panel({*cell}, std::string(pair.words), true));
   store::PanelRecord energies{.kind = "graph", .title = "printed, and random curves"};
   energies.table = "bars";

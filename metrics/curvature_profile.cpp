@@ -92,6 +92,24 @@ CurvatureProfile curvature_profile(const Curve& curve) {
   return profile;
 }
 
+std::vector<ProfilePoint> profile_within(const Curve& curve, const CurvatureProfile& profile,
+                                         std::span<const Part> parts) {
+  std::vector<ProfilePoint> within;
+  for (const Part& part : parts) {
+    const auto segment = profile.of_segment(part.segment);
+    const auto end = [&](double t) {
+      if (t == 0.0) return segment.front();
+      if (t == 1.0) return segment.back();
+      return ProfilePoint{{part.segment, t}, curvature_at(curve.segment(part.segment), t), ProfilePoint::Kind::end};
+    };
+    within.push_back(end(part.t0));
+    for (const ProfilePoint& point : segment)
+      if (point.place.t > part.t0 && point.place.t < part.t1) within.push_back(point);
+    within.push_back(end(part.t1));
+  }
+  return within;
+}
+
 std::vector<TurningPoint> turning_points(std::span<const ProfilePoint> sequence, double unit, double prominence) {
   const auto value = [&](std::size_t i) { return sequence[i].curvature; };
   const auto differ = [&](std::size_t low, std::size_t high) {

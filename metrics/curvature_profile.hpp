@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "metrics/arc_map.hpp"
+#include "metrics/node_pieces.hpp"
 #include "schemes/curve/curve.hpp"
 
 namespace kappabench {
@@ -34,6 +35,10 @@ struct CurvatureProfile {
 /// Never throws. Curvature at an end of a segment where the speed vanishes is taken at 1e-6 inside.
 /// Extrema within 1e-6 of a cusp are the cusp's rounding, and left out.
 [[nodiscard]] CurvatureProfile curvature_profile(const Curve& curve);
+
+/// The profile within these stretches, one after the other, with the curvature at both ends of each.
+[[nodiscard]] std::vector<ProfilePoint> profile_within(const Curve& curve, const CurvatureProfile& profile,
+                                                       std::span<const Part> parts);
 
 /// A local maximum or minimum of a sequence of curvatures.
 struct TurningPoint {

@@ -18,28 +18,11 @@ std::vector<double> per_segment(const Curve& curve, const CurvatureProfile& prof
   return intervals;
 }
 
-/// The profile within a part, with the curvature at both of its ends.
-void append_part(const Curve& curve, const CurvatureProfile& profile, const Part& part,
-                 std::vector<ProfilePoint>& sequence) {
-  const auto cut = [&](double t) {
-    if (t == 0.0) return profile.of_segment(part.segment).front();
-    if (t == 1.0) return profile.of_segment(part.segment).back();
-    return ProfilePoint{{part.segment, t}, curvature(curve.segment(part.segment).jet(t, 2)), ProfilePoint::Kind::end};
-  };
-  sequence.push_back(cut(part.t0));
-  for (const ProfilePoint& point : profile.of_segment(part.segment)) {
-    if (point.place.t > part.t0 && point.place.t < part.t1) sequence.push_back(point);
-  }
-  sequence.push_back(cut(part.t1));
-}
-
 std::vector<double> per_centred_piece(const Curve& curve, const CurvatureProfile& profile, double prominence) {
   const ArcMap arcs(curve);
   std::vector<double> intervals;
   for (const CentredPiece& piece : centred_pieces(curve, arcs)) {
-    std::vector<ProfilePoint> sequence;
-    for (const Part& part : piece.parts) append_part(curve, profile, part, sequence);
-    const auto turns = turning_points(sequence, profile.unit, prominence);
+    const auto turns = turning_points(profile_within(curve, profile, piece.parts), profile.unit, prominence);
     intervals.push_back(1.0 + static_cast<double>(turns.size()));
   }
   return intervals;
