@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cerrno>
+#include <cstdlib>  // with it comes POSIX's mkdtemp
 #include <filesystem>
+#include <string>
+#include <system_error>
 
 namespace kappabench {
 
@@ -8,8 +12,16 @@ namespace kappabench {
 class ScratchFolder {
  public:
   /// Throws std::filesystem::filesystem_error when none can be made.
-  ScratchFolder();
-  ~ScratchFolder();
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "kappabench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::filesystem::filesystem_error("no temporary folder", name, {errno, std::generic_category()});
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 

@@ -6,18 +6,13 @@
 
 #include "datasets/datasets.hpp"
 #include "datasets/random_points.hpp"
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-Registry all_schemes() {
-  Registry registry;
-  register_all(registry);
-  return registry;
-}
 
 /// Sanitizers make the longest curves of the slowest schemes take many minutes: short ones meet the same code.
 #ifdef __SANITIZE_ADDRESS__
@@ -29,11 +24,10 @@ constexpr std::size_t most_points = 100000;
 /// Calls `check` for every scheme at its defaults and every curve of the built-in drawings.
 template <class Check>
 void for_all_fits(Check check) {
-  const Registry registry = all_schemes();
   const std::vector<Drawing> drawings = builtin_drawings();
   REQUIRE(drawings.size() >= 12);
-  for (const SchemeInfo& info : registry.list()) {
-    const SchemePtr scheme = registry.create(info.id);
+  for (const SchemeInfo& info : all_schemes().list()) {
+    const SchemePtr scheme = all_schemes().create(info.id);
     for (const Drawing& drawing : drawings)
       for (std::size_t i = 0; i < drawing.curves.size(); ++i) {
         if (drawing.curves[i].points.size() > most_points) continue;
@@ -119,11 +113,10 @@ TEST_CASE("every fit has a sound outcome, passes its points and is as continuous
 }
 
 TEST_CASE("the same input gives the same curve, bit for bit") {
-  const Registry registry = all_schemes();
-  for (const SchemeInfo& info : registry.list())
+  for (const SchemeInfo& info : all_schemes().list())
     for (const RandomKind kind : random_kinds()) {
       INFO(info.id << " on " << name(kind));
-      const SchemePtr scheme = registry.create(info.id);
+      const SchemePtr scheme = all_schemes().create(info.id);
       const Input input = random_input(kind, 17, 5, true);
       const Fit first = scheme->fit(input), second = scheme->fit(input);
       REQUIRE(first.curve.has_value() == second.curve.has_value());
@@ -133,12 +126,11 @@ TEST_CASE("the same input gives the same curve, bit for bit") {
 }
 
 TEST_CASE("a similar drawing gives the similar curve, where the scheme claims so") {
-  const Registry registry = all_schemes();
   const double angle = 0.7, scale = 1e3;
   const Eigen::Matrix2d turn{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
-  for (const SchemeInfo& info : registry.list()) {
+  for (const SchemeInfo& info : all_schemes().list()) {
     if (!info.traits.similarity_invariant) continue;
-    const SchemePtr scheme = registry.create(info.id);
+    const SchemePtr scheme = all_schemes().create(info.id);
     for (const bool closed : {false, true}) {
       INFO(info.id << (closed ? ", closed" : ", open"));
       const Input input = random_input(RandomKind::star, 12, 3, closed);
@@ -158,11 +150,10 @@ TEST_CASE("a similar drawing gives the similar curve, where the scheme claims so
 }
 
 TEST_CASE("a refit is the fit of the edited input") {
-  const Registry registry = all_schemes();
   const Input input = random_input(RandomKind::star, 10, 9, true);
-  for (const SchemeInfo& info : registry.list()) {
+  for (const SchemeInfo& info : all_schemes().list()) {
     INFO(info.id);
-    const SchemePtr scheme = registry.create(info.id);
+    const SchemePtr scheme = all_schemes().create(info.id);
     const Fit before = scheme->fit(input);
     for (const Edit& edit :
          {Edit{Move{.point = 3, .to = input.points[3] + Vec2(0.05, 0.02)}},

@@ -5,10 +5,11 @@
 
 #include "datasets/datasets.hpp"
 #include "metrics/continuity.hpp"
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
@@ -38,8 +39,6 @@ void check(const Fit& fit) {
 }  // namespace
 
 TEST_CASE("pkappa: every option combination interpolates and is as continuous as it says") {
-  Registry registry;
-  register_all(registry);
   for (const Drawing& drawing : builtin_drawings()) {
     for (const Input& input : drawing.curves) {
       if (input.points.size() > most_points() || input.points.size() < 3) continue;
@@ -47,7 +46,7 @@ TEST_CASE("pkappa: every option combination interpolates and is as continuous as
         for (const std::string mode : {"local", "global", "paper"})
           for (const std::string quadrature : {"gauss", "simpson201"}) {
             const std::string id = "pkappa:continuity=" + continuity + ",mode=" + mode + ",quadrature=" + quadrature;
-            const Fit fit = registry.parse(id)->fit(input);
+            const Fit fit = scheme(id)->fit(input);
             if (fit.report.outcome == Outcome::unsupported_input) continue;
             INFO(id << " on " << drawing.id);
             check(fit);

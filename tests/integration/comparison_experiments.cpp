@@ -8,63 +8,21 @@
 
 #include "experiments/curve_findings.hpp"
 #include "experiments/curve_marks.hpp"
-#include "experiments/experiment.hpp"
 #include "experiments/summaries.hpp"
 #include "reports/paper.hpp"
-#include "reports/tables.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/experiment_records.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
-Registry all_schemes() {
-  Registry registry;
-  register_all(registry);
-  return registry;
-}
-
-/// Runs an experiment in this process.
-store::ExperimentRecord computed(const std::string& id, const Context& context) {
-  const Experiment& experiment = find_experiment(id);
-  store::ExperimentRecord record{.id = id};
-  for (const CellJob& job : experiment.jobs(context)) {
-    store::CellRecord cell = job.compute();
-    cell.dataset = job.dataset;
-    cell.scheme = job.scheme;
-    cell.parameters = job.parameters;
-    cell.label = job.label;
-    record.cells.push_back(std::move(cell));
-  }
-  return record;
-}
-
-store::ExperimentRecord concluded(store::ExperimentRecord record, const Context& context) {
-  record.tables.clear();
-  record.figures.clear();
-  record.claims.clear();
-  find_experiment(record.id).conclude(context, record);
-  return record;
-}
-
-std::string verdict(const store::ExperimentRecord& record, const std::string& claim) {
-  for (const store::ClaimRecord& c : record.claims)
-    if (c.claim == claim) return c.verdict;
-  return "no such claim";
-}
-
-/// Changes every value of a column in the cells of a scheme.
+/// With every value of a column in the cells of a scheme changed.
 store::ExperimentRecord with(store::ExperimentRecord record, const std::string& scheme, const std::string& column,
                              double value) {
-  for (store::CellRecord& cell : record.cells) {
-    if (cell.scheme != scheme) continue;
-    for (store::MeasurementRecord& m : cell.measurements)
-      if (m.column == column) m.value = value;
-    for (store::CurveRecord& curve : cell.curves)
-      for (store::MeasurementRecord& m : curve.measurements)
-        if (m.column == column) m.value = value;
-  }
+  set_column(record, column, value, scheme);
   return record;
 }
 
@@ -93,20 +51,8 @@ void check_figures(const store::ExperimentRecord& record) {
   }
 }
 
-const std::vector<double>& numbers(const store::TableRecord& table, std::string_view column) {
-  const auto found = std::ranges::find(table.columns, column, &store::TableColumn::name);
-  REQUIRE(found != table.columns.end());
-  return std::get<std::vector<double>>(found->cells);
-}
-const std::vector<std::string>& words(const store::TableRecord& table, std::string_view column) {
-  const auto found = std::ranges::find(table.columns, column, &store::TableColumn::name);
-  REQUIRE(found != table.columns.end());
-  return std::get<std::vector<std::string>>(found->cells);
-}
-const store::TableRecord& table(const store::ExperimentRecord& record, std::string_view id) {
-  const auto found = std::ranges::find(record.tables, id, &store::TableRecord::id);
-  REQUIRE(found != record.tables.end());
-  return *found;
+const std::vector<std::string>& words(const store::TableRecord& table, std::string_view name) {
+  return column_of<std::string>(table, name);
 }
 
 SegmentPtr bezier(std::vector<Vec2> points) { return std::make_shared<PolynomialSegment>(std::move(points)); }
@@ -114,8 +60,7 @@ SegmentPtr bezier(std::vector<Vec2> points) { return std::make_shared<Polynomial
 }  // namespace
 
 TEST_CASE("locality: reaches, an edited pkappa-curve against one fitted again, verdicts that turn") {
-  const Registry registry = all_schemes();
-  const Context context{.registry = registry,
+  const Context context{.registry = all_schemes(),
                         .schemes = {"kappa", "yuksel", "clothoid3", "clothoid3:curvature=conic", "pkappa"}};
   const store::ExperimentRecord record = concluded(computed("pkappa-locality", context), context);
   check_claims_are_printed(record);
@@ -123,12 +68,12 @@ TEST_CASE("locality: reaches, an edited pkappa-curve against one fitted again, v
   CHECK(record.claims.size() == 3);
   CHECK(record.figures.front().panels.size() == 6);  // pkappa twice
 
-  const store::TableRecord& reach = table(record, "reach");
+  const store::TableRecord& reach = table_of(record, "reach");
   const auto& schemes = words(reach, "scheme");
-  const auto& most = numbers(reach, "any, most");
+  const auto& most = column_of(reach, "any, most");
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     INFO(schemes[i]);
-    CHECK(numbers(reach, "moves")[i] == 48.0);
+    CHECK(column_of(reach, "moves")[i] == 48.0);
     if (schemes[i] == "pkappa, edited" || schemes[i] == "yuksel") CHECK(most[i] == 2.0);
     if (schemes[i] == "pkappa, fitted again" || schemes[i] == "kappa") CHECK(most[i] > 4.0);
   }
@@ -145,16 +90,13 @@ TEST_CASE("locality: reaches, an edited pkappa-curve against one fitted again, v
 }
 
 TEST_CASE("comparison: marks, counts, and verdicts that turn") {
-  const Registry registry = all_schemes();
-  const Context context{.registry = registry, .schemes = {"kappa", "yuksel", "clothoid3", "pkappa"}};
+  const Context context{.registry = all_schemes(), .schemes = {"kappa", "yuksel", "clothoid3", "pkappa"}};
   const store::ExperimentRecord record = concluded(computed("pkappa-comparison", context), context);
   check_claims_are_printed(record);
   check_figures(record);
   CHECK(record.figures.size() == 4);
-  CHECK(words(table(record, "findings"), "scheme").size() == 16);
-  const store::ExperimentRecord again = concluded(record, context);
-  CHECK(again.claims == record.claims);
-  CHECK(again.figures == record.figures);
+  CHECK(words(table_of(record, "findings"), "scheme").size() == 16);
+  check_same_conclusions(concluded(record, context), record);
 
   const auto turned = [&](const std::string& scheme, const std::string& column, double value,
                           const std::string& claim) {
@@ -243,8 +185,7 @@ TEST_CASE("stretches and rings") {
 }
 
 TEST_CASE("compare: distributions and profiles are shares of all curves") {
-  const Registry registry = all_schemes();
-  const Context context{.registry = registry,
+  const Context context{.registry = all_schemes(),
                         .schemes = {"kappa", "catmull-rom"},
                         .datasets = {"row-open-7", "row-closed-7", "row-closed-9"},
                         .metrics = {"parabola_energy", "fairness"}};
@@ -254,9 +195,9 @@ TEST_CASE("compare: distributions and profiles are shares of all curves") {
   for (store::CellRecord& cell : record.cells)
     cell.curves.front().seconds = cell.scheme == "catmull-rom" ? 2.0 : cell.dataset == "row-closed-7" ? 1.0 : 6.0;
   record = concluded(record, context);
-  const store::TableRecord& profile = table(record, "profile-seconds");
+  const store::TableRecord& profile = table_of(record, "profile-seconds");
   const auto& scheme = words(profile, "scheme");
-  const auto &factor = numbers(profile, "factor"), &share = numbers(profile, "share of curves");
+  const auto &factor = column_of(profile, "factor"), &share = column_of(profile, "share of curves");
   for (std::size_t i = 0; i < scheme.size(); ++i) {
     INFO(scheme[i] << " " << factor[i]);
     if (scheme[i] == "kappa") CHECK(share[i] == Approx(factor[i] >= 3.0 ? 1.0 : 1.0 / 3.0));
@@ -266,9 +207,9 @@ TEST_CASE("compare: distributions and profiles are shares of all curves") {
   record.cells.front().curves.front().outcome = name(Outcome::not_converged);
   record = concluded(record, context);
   const std::string lost = record.cells.front().label;
-  const store::TableRecord& after = table(record, "profile-seconds");
-  const store::TableRecord& energies = table(record, "distribution-mvc_energy");
+  const store::TableRecord& after = table_of(record, "profile-seconds");
+  const store::TableRecord& energies = table_of(record, "distribution-mvc_energy");
   for (std::size_t i = 0; i < words(after, "scheme").size(); ++i)
-    if (words(after, "scheme")[i] == lost) CHECK(numbers(after, "share of curves")[i] <= 0.67);
+    if (words(after, "scheme")[i] == lost) CHECK(column_of(after, "share of curves")[i] <= 0.67);
   CHECK(std::ranges::count(words(energies, "scheme"), lost) == 2);
 }

@@ -1,22 +1,16 @@
 // What the metrics say about trigonometric blending and clothoid splines, against what these schemes claim.
-#include <algorithm>
 #include <string>
 
 #include "datasets/datasets.hpp"
 #include "datasets/random_points.hpp"
 #include "metrics/metric.hpp"
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-SchemePtr scheme(std::string_view text) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(text);
-}
 
 double measured(std::string_view metric, std::string_view column, const Scheme& scheme, const Input& input) {
   const Fit fit = scheme.fit(input);

@@ -6,7 +6,6 @@
 
 #include "datasets/datasets.hpp"
 #include "experiments/curve_json.hpp"
-#include "schemes/api/registry.hpp"
 #include "schemes/segments/blend.hpp"
 #include "schemes/segments/clothoid.hpp"
 #include "schemes/segments/elliptic_arc.hpp"
@@ -14,8 +13,10 @@
 #include "schemes/segments/reparametrized.hpp"
 #include "schemes/segments/trigonometric.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
@@ -54,19 +55,17 @@ SegmentPtr segment(const Json& json, std::set<std::string>& types) {
 }  // namespace
 
 TEST_CASE("segments rebuilt from the JSON of a fit are the fit's") {
-  Registry registry;
-  register_all(registry);
   std::set<std::string> types;
   for (const std::string_view text :
        {"cubic-spline", "hobby", "ekappa-trig", "clothoid3", "clothoid3:pieces=clc", "yuksel", "yuksel:arc=bezier",
         "yuksel:arc=elliptical", "yuksel:parametrization=c2", "yuksel:arc=bezier,parametrization=c2"}) {
-    const SchemePtr scheme = registry.parse(text);
+    const SchemePtr tested = scheme(text);
     for (const Drawing& drawing : open_drawings("bird"))
       for (const Input& input : drawing.curves) {
         INFO(text);
-        const Fit fit = scheme->fit(input);
+        const Fit fit = tested->fit(input);
         REQUIRE(fit.curve.has_value());
-        const Json json = Json::parse(curve_json(*scheme, fit));
+        const Json json = Json::parse(curve_json(*tested, fit));
         REQUIRE(static_cast<int>(json.at("segments").size()) == fit.curve->size());
         for (int k = 0; k < fit.curve->size(); ++k) {
           const SegmentPtr again = segment(json.at("segments").at(static_cast<std::size_t>(k)), types);

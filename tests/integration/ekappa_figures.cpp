@@ -3,59 +3,31 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "experiments/ekappa_common.hpp"
-#include "experiments/plan.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/scratch_folder.hpp"
+#include "experiments/study.hpp"
+#include "experiments/verdicts.hpp"
 #include "reports/figures/figure.hpp"
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/experiment_records.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
-store::ExperimentRecord concluded(const std::string& id, const std::vector<std::string>& datasets, int processes = 2) {
-  Registry registry;
-  register_all(registry);
-  const ScratchFolder folder;
-  const Plan plan{.seed = 1, .experiments = {{.id = id, .schemes = {}, .datasets = datasets, .metrics = {}}}};
-  const RunSummary summary = run(registry, plan, {.results = folder.path() / "r.h5", .processes = processes});
-  CHECK(summary.lost == 0);
-  return summary.results.experiments.front();
-}
-
-std::string verdict(const store::ExperimentRecord& record, const std::string& claim) {
-  const auto found = std::ranges::find(record.claims, claim, &store::ClaimRecord::claim);
-  REQUIRE(found != record.claims.end());
-  CHECK_FALSE(found->ours.empty());
-  CHECK_FALSE(found->evidence.empty());
-  return found->verdict;
-}
-
-const store::TableRecord& table(const store::ExperimentRecord& record, const std::string& id) {
-  const auto found = std::ranges::find(record.tables, id, &store::TableRecord::id);
-  REQUIRE(found != record.tables.end());
-  return *found;
-}
-
-std::vector<double> numbers(const store::TableRecord& table, const std::string& column) {
-  const auto found = std::ranges::find(table.columns, column, &store::TableColumn::name);
-  REQUIRE(found != table.columns.end());
-  return std::get<std::vector<double>>(found->cells);
+store::ExperimentRecord run_on(const std::string& id, const std::string& dataset, int processes = 2) {
+  return run_one({.id = id, .datasets = {dataset}}, processes);
 }
 
 }  // namespace
 
 TEST_CASE("the jump at inflections shrinks where it does, and only there") {
-  const auto wave = concluded("ekappa-inflection", {"s-inflections"});
+  const auto wave = run_on("ekappa-inflection", "s-inflections");
   CHECK(verdict(wave, "inflection-curvature-shrinks") == "reproduced");
   CHECK(verdict(wave, "inflection-gap-shrinks") == "reproduced");
   CHECK(verdict(wave, "g2-except-inflections") == "reproduced");
-  const auto curvature = numbers(table(wave, "inflections"), "median |κ|");
+  const auto curvature = column_of(table_of(wave, "inflections"), "median |κ|");
   REQUIRE(curvature.size() == 8);  // four a of the drawing, four of all
   CHECK(std::is_sorted(curvature.begin(), curvature.begin() + 4, std::greater<>()));
   // Fig. 7: four curves and four close-ups.
@@ -70,55 +42,55 @@ TEST_CASE("the jump at inflections shrinks where it does, and only there") {
   CHECK(files.data.at("wave-5.dat").find("frames of close-ups") == std::string::npos);
 
   // The jump of one of its inflections grows from a = 2/3 to 0.75: one of three steps.
-  CHECK(verdict(concluded("ekappa-inflection", {"clothoid-noisy"}), "inflection-gap-shrinks") == "not reproduced");
+  CHECK(verdict(run_on("ekappa-inflection", "clothoid-noisy"), "inflection-gap-shrinks") == "not reproduced");
   // Nothing to measure is not a success.
-  CHECK(verdict(concluded("ekappa-inflection", {"five-blob"}), "inflection-gap-shrinks") == "not reproduced");
+  CHECK(verdict(run_on("ekappa-inflection", "five-blob"), "inflection-gap-shrinks") == "not reproduced");
 }
 
 TEST_CASE("a larger a sharpens a blob but blunts points that are nearly cusps") {
-  const auto wave = concluded("ekappa-global-shape", {"s-inflections"});
+  const auto wave = run_on("ekappa-global-shape", "s-inflections");
   CHECK(verdict(wave, "raising-a-sharpens-globally") == "reproduced");
   CHECK(verdict(wave, "interpolates-points") == "reproduced");
   CHECK(verdict(wave, "quadratic-at-two-thirds") == "reproduced");
   CHECK(verdict(wave, "one-maximum-per-segment") == "reproduced");
-  CHECK(numbers(table(wave, "maxima"), "segments") == std::vector<double>{4, 4, 4, 4});
+  CHECK(column_of(table_of(wave, "maxima"), "segments") == std::vector<double>{4, 4, 4, 4});
   // Its five tips lose curvature at every step.
-  const auto star = concluded("ekappa-global-shape", {"closed-inflections"});
+  const auto star = run_on("ekappa-global-shape", "closed-inflections");
   CHECK(verdict(star, "raising-a-sharpens-globally") != "reproduced");
   CHECK(verdict(star, "quadratic-at-two-thirds") == "reproduced");
 }
 
 TEST_CASE("both bases are compared on the same points") {
-  const auto drop = concluded("ekappa-bases", {"five-drop"});
+  const auto drop = run_on("ekappa-bases", "five-drop");
   REQUIRE(drop.figures.size() == 2);
   CHECK(drop.figures.front().panels.size() == 8);
   CHECK(drop.figures.front().columns == 4);
-  const auto cases = numbers(table(drop, "comparison"), "curves");
+  const auto cases = column_of(table_of(drop, "comparison"), "curves");
   CHECK(cases == std::vector<double>(6, 1.0));
   // With the same a the trigonometric curve is nearer to the polygon, hence not the rounder one.
-  CHECK(numbers(table(drop, "comparison"), "farther from the polygon").back() == 0.0);
+  CHECK(column_of(table_of(drop, "comparison"), "farther from the polygon").back() == 0.0);
   CHECK(verdict(drop, "trigonometric-rounder") == "contradicted");
-  CHECK(verdict(concluded("ekappa-bases", {"all-collinear"}), "trigonometric-rounder") == "not reproduced");
+  CHECK(verdict(run_on("ekappa-bases", "all-collinear"), "trigonometric-rounder") == "not reproduced");
 }
 
 TEST_CASE("raising a at some points, and the wing tips of the bird alone") {
-  const auto boomerang = concluded("ekappa-local-shape", {"five-boomerang"});
+  const auto boomerang = run_on("ekappa-local-shape", "five-boomerang");
   CHECK(verdict(boomerang, "raising-a-sharpens-locally") == "reproduced");
   CHECK(boomerang.figures.front().panels.size() == 4);
   CHECK(std::ranges::find(boomerang.claims, "wing-tips", &store::ClaimRecord::claim) == boomerang.claims.end());
-  CHECK_FALSE(numbers(table(boomerang, "points"), "|κ|").empty());
+  CHECK_FALSE(column_of(table_of(boomerang, "points"), "|κ|").empty());
 
-  const auto bird = concluded("ekappa-local-shape", {"bird"});
+  const auto bird = run_on("ekappa-local-shape", "bird");
   CHECK_FALSE(verdict(bird, "wing-tips").empty());
-  const auto influence = numbers(table(bird, "influence"), "median");
+  const auto influence = column_of(table_of(bird, "influence"), "median");
   REQUIRE(influence.size() == 48);
   for (std::size_t d = 1; d < 8; ++d) CHECK(influence[24 + d] < influence[24 + d - 1]);  // points moved at a = 2/3
 }
 
 TEST_CASE("added points change the peak between them") {
-  const auto record = concluded("ekappa-added-points", {"five-blob"});
+  const auto record = run_on("ekappa-added-points", "five-blob");
   CHECK(verdict(record, "extra-points-control-curvature") == "reproduced");
-  const auto ratios = numbers(table(record, "figure"), "over the original");
+  const auto ratios = column_of(table_of(record, "figure"), "over the original");
   REQUIRE(ratios.size() == 3);
   CHECK(ratios[0] > 1.0);
   CHECK(ratios[1] == 1.0);
@@ -127,29 +99,12 @@ TEST_CASE("added points change the peak between them") {
 
 TEST_CASE("verdicts, tables and figures do not depend on the number of processes") {
   for (const std::string id : {"ekappa-inflection", "ekappa-local-shape"}) {
-    const auto one = concluded(id, {"five-drop"}, 1), three = concluded(id, {"five-drop"}, 3);
-    CHECK(one.claims == three.claims);
-    CHECK(one.figures == three.figures);
-    REQUIRE(one.tables.size() == three.tables.size());
-    for (std::size_t i = 0; i < one.tables.size(); ++i) {
-      CHECK(one.tables[i].id == three.tables[i].id);
-      for (std::size_t c = 0; c < one.tables[i].columns.size(); ++c) {
-        const auto &a = one.tables[i].columns[c].cells, &b = three.tables[i].columns[c].cells;
-        REQUIRE(a.index() == b.index());
-        if (const auto* words = std::get_if<std::vector<std::string>>(&a)) {
-          CHECK(*words == std::get<std::vector<std::string>>(b));
-        } else {
-          // NaN where there is nothing to measure: not equal to itself.
-          CHECK(std::ranges::equal(std::get<std::vector<double>>(a), std::get<std::vector<double>>(b),
-                                   [](double x, double y) { return x == y || (x != x && y != y); }));
-        }
-      }
-    }
+    check_same_conclusions(run_on(id, "five-drop", 1), run_on(id, "five-drop", 3));
   }
 }
 
 TEST_CASE("verdict rules") {
-  using namespace ekappa;
+  using namespace study;
   CHECK(verdict_for_all(0.0, 10.0) == "reproduced");
   CHECK(verdict_for_all(1.0, 10.0) == "contradicted");
   CHECK(verdict_for_all(0.0, 0.0) == "not reproduced");
@@ -160,7 +115,7 @@ TEST_CASE("verdict rules") {
 }
 
 TEST_CASE("influence is sorted by distance from the point, around a closed curve too") {
-  using namespace ekappa;
+  using namespace study;
   std::vector<Span> ring;
   for (int i = 0; i < 6; ++i) ring.push_back({i, (i + 1) % 6, {}});
   const std::vector<double> deviations{5, 4, 3, 2, 1, 6};  // spans 0-1, 1-2, 2-3, 3-4, 4-5, 5-0

@@ -4,61 +4,16 @@
 
 #include "experiments/ekappa_applicability_bases.hpp"
 #include "experiments/ekappa_basis_identities.hpp"
-#include "experiments/experiment.hpp"
 #include "experiments/family_sweep.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/scratch_folder.hpp"
 #include "experiments/timing.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/experiment_records.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-const Registry& schemes() {
-  static const Registry registry = [] {
-    Registry all;
-    register_all(all);
-    return all;
-  }();
-  return registry;
-}
-
-store::ExperimentRecord run_one(const PlannedExperiment& planned) {
-  const ScratchFolder folder;
-  const RunSummary summary = run(schemes(), {.seed = 1, .experiments = {planned}},
-                                 {.results = folder.path() / "results.h5", .processes = 2, .timeout = 60.0});
-  REQUIRE(summary.lost == 0);
-  return summary.results.experiments.front();
-}
-
-/// Concludes once more, after the cells were changed.
-store::ExperimentRecord concluded(store::ExperimentRecord record) {
-  record.tables.clear();
-  record.figures.clear();
-  record.claims.clear();
-  find_experiment(record.id).conclude({.registry = schemes()}, record);
-  return record;
-}
-
-const store::ClaimRecord& claim_of(const store::ExperimentRecord& record, const std::string& id) {
-  const auto found = std::ranges::find(record.claims, id, &store::ClaimRecord::claim);
-  REQUIRE(found != record.claims.end());
-  return *found;
-}
-
-const store::TableRecord& table_of(const store::ExperimentRecord& record, const std::string& id) {
-  const auto found = std::ranges::find(record.tables, id, &store::TableRecord::id);
-  REQUIRE(found != record.tables.end());
-  return *found;
-}
-
-std::vector<double> column_of(const store::TableRecord& table, const std::string& name) {
-  const auto found = std::ranges::find(table.columns, name, &store::TableColumn::name);
-  REQUIRE(found != table.columns.end());
-  return std::get<std::vector<double>>(found->cells);
-}
 
 double& measurement(store::CellRecord& cell, const std::string& column) {
   const auto found = std::ranges::find(cell.measurements, column, &store::MeasurementRecord::column);
@@ -90,16 +45,16 @@ TEST_CASE("pinned points: the verdict follows the counts") {
     CHECK(measurement(cell, "valleys") == 0.0);  // Miura 2022, Appendix A.2: one extremum, a maximum
     pinned += measurement(cell, "pinned");
   }
-  CHECK(claim_of(record, "extremum-at-points").verdict == (pinned > 0.0 ? "contradicted" : "reproduced"));
+  CHECK(verdict(record, "extremum-at-points") == (pinned > 0.0 ? "contradicted" : "reproduced"));
 
   for (auto& cell : record.cells) {
     measurement(cell, "peaks") = measurement(cell, "points");
     for (const char* other : {"pinned", "at inflection", "neither"}) measurement(cell, other) = 0.0;
   }
   record = concluded(record);
-  CHECK(claim_of(record, "extremum-at-points").verdict == "reproduced");
+  CHECK(verdict(record, "extremum-at-points") == "reproduced");
   measurement(record.cells[1], "pinned") = 1.0;
-  CHECK(claim_of(concluded(record), "extremum-at-points").verdict == "contradicted");
+  CHECK(verdict(concluded(record), "extremum-at-points") == "contradicted");
   CHECK(column_of(table_of(record, "pinned-bernstein"), "points").size() == 4);
 }
 
@@ -111,10 +66,10 @@ TEST_CASE("minima of the trigonometric curve: measured slopes decide, a missing 
   // Twelve gentle turns: minima at a = 1/2, maxima at 0.9.
   CHECK(measurement(record.cells[0], "valleys") > 0.0);
   CHECK(measurement(record.cells[1], "valleys") == 0.0);
-  CHECK(claim_of(record, "trigonometric-local-maximum").verdict == "contradicted");
+  CHECK(verdict(record, "trigonometric-local-maximum") == "contradicted");
   record.cells.erase(record.cells.begin());
   measurement(record.cells[0], "peaks") = measurement(record.cells[0], "points");
-  CHECK(claim_of(concluded(record), "trigonometric-local-maximum").verdict == "reproduced");
+  CHECK(verdict(concluded(record), "trigonometric-local-maximum") == "reproduced");
   record.cells.clear();
   CHECK(concluded(record).claims.empty());
 }
@@ -156,11 +111,11 @@ TEST_CASE("degenerate bases: derivatives fit the values, partition of unity, C.2
 
 TEST_CASE("applicability: verdicts flip with the cells") {
   store::ExperimentRecord record = run_one({.id = "ekappa-applicability"});
-  CHECK(claim_of(record, "alternative-cubic-applicable").verdict == "reproduced");
-  CHECK(claim_of(record, "alpha-beta-bernstein-applicability").verdict == "reproduced");
-  CHECK(claim_of(record, "t-bezier-applicability").verdict == "contradicted");
-  CHECK(claim_of(record, "blending-triangle").verdict == "reproduced");
-  CHECK(claim_of(record, "trigonometric-linear-parameter").verdict == "contradicted");
+  CHECK(verdict(record, "alternative-cubic-applicable") == "reproduced");
+  CHECK(verdict(record, "alpha-beta-bernstein-applicability") == "reproduced");
+  CHECK(verdict(record, "t-bezier-applicability") == "contradicted");
+  CHECK(verdict(record, "blending-triangle") == "reproduced");
+  CHECK(verdict(record, "trigonometric-linear-parameter") == "contradicted");
   CHECK(record.figures.size() == 1);
 
   // Vanishing end curvatures at alpha = 2, a wrong coefficient, a wrong identity.
@@ -171,12 +126,12 @@ TEST_CASE("applicability: verdicts flip with the cells") {
   measurement(identities, "triangle") = 2.0;
   measurement(identities, std::string(names::square)) = 0.1;
   record = concluded(record);
-  CHECK(claim_of(record, "alpha-beta-bernstein-applicability").verdict == "contradicted");
-  CHECK(claim_of(record, "blending-triangle").verdict == "contradicted");
-  CHECK(claim_of(record, "trigonometric-square").verdict == "contradicted");
-  CHECK(claim_of(record, "recursive-evaluation").verdict == "reproduced");
+  CHECK(verdict(record, "alpha-beta-bernstein-applicability") == "contradicted");
+  CHECK(verdict(record, "blending-triangle") == "contradicted");
+  CHECK(verdict(record, "trigonometric-square") == "contradicted");
+  CHECK(verdict(record, "recursive-evaluation") == "reproduced");
   measurement(cell_of(record, "identities"), std::string(names::recursion)) = std::nan("");
-  CHECK(claim_of(concluded(record), "recursive-evaluation").verdict == "contradicted");
+  CHECK(verdict(concluded(record), "recursive-evaluation") == "contradicted");
 }
 
 TEST_CASE("iterations: fifty published steps leave more than the cascade does") {
@@ -227,10 +182,10 @@ TEST_CASE("timing: the verdicts are about the ratios of the samples") {
     return concluded(record);
   };
   const auto like_the_paper = with_ratios(8.0 / 7.0, 37.0 / 7.0), unlike = with_ratios(2.0, 1.5);
-  CHECK(claim_of(like_the_paper, "time-bernstein").verdict == "reproduced");
-  CHECK(claim_of(like_the_paper, "time-trigonometric").verdict == "reproduced");
-  CHECK(claim_of(unlike, "time-bernstein").verdict == "not reproduced");
-  CHECK(claim_of(unlike, "time-trigonometric").verdict == "not reproduced");
+  CHECK(verdict(like_the_paper, "time-bernstein") == "reproduced");
+  CHECK(verdict(like_the_paper, "time-trigonometric") == "reproduced");
+  CHECK(verdict(unlike, "time-bernstein") == "not reproduced");
+  CHECK(verdict(unlike, "time-trigonometric") == "not reproduced");
 }
 
 TEST_CASE("scaling: exponents of a power law come back, with an interval that holds them") {

@@ -1,69 +1,19 @@
 // The experiments on FPC-curves: what they conclude, and that they conclude otherwise from other data.
 
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "datasets/datasets.hpp"
-#include "experiments/ekappa_common.hpp"
-#include "experiments/experiment.hpp"
 #include "experiments/fpc_feature_check.hpp"
 #include "experiments/fpc_inputs.hpp"
-#include "reports/paper.hpp"
-#include "reports/tables.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/experiment_records.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-Registry all_schemes() {
-  Registry registry;
-  register_all(registry);
-  return registry;
-}
-
-/// Runs an experiment in this process.
-store::ExperimentRecord computed(const std::string& id, const Context& context) {
-  const Experiment& experiment = find_experiment(id);
-  store::ExperimentRecord record{.id = id};
-  for (const CellJob& job : experiment.jobs(context)) {
-    store::CellRecord cell = job.compute();
-    cell.dataset = job.dataset;
-    cell.scheme = job.scheme;
-    cell.parameters = job.parameters;
-    cell.label = job.label;
-    record.cells.push_back(std::move(cell));
-  }
-  return record;
-}
-
-store::ExperimentRecord concluded(store::ExperimentRecord record, const Context& context) {
-  record.tables.clear();
-  record.figures.clear();
-  record.claims.clear();
-  find_experiment(record.id).conclude(context, record);
-  return record;
-}
-
-std::string verdict(const store::ExperimentRecord& record, const std::string& claim) {
-  for (const store::ClaimRecord& c : record.claims)
-    if (c.claim == claim) return c.verdict;
-  return "no such claim";
-}
-
-/// Changes every value of a column.
-void set_column(store::ExperimentRecord& record, const std::string& column, double value) {
-  for (store::CellRecord& cell : record.cells) {
-    for (store::MeasurementRecord& m : cell.measurements)
-      if (m.column == column) m.value = value;
-    for (store::CurveRecord& curve : cell.curves)
-      for (store::MeasurementRecord& m : curve.measurements)
-        if (m.column == column) m.value = value;
-  }
-}
 
 const std::vector<std::string> experiments{"fpc-features",     "fpc-loops",   "fpc-convergence",   "fpc-loop-size",
                                            "fpc-inflection-h", "fpc-gallery", "fpc-point-economy", "fpc-locality"};
@@ -71,25 +21,12 @@ const std::vector<std::string> experiments{"fpc-features",     "fpc-loops",   "f
 }  // namespace
 
 TEST_CASE("fpc experiments: tables, figures and one verdict for every claim of the paper") {
-  const Registry registry = all_schemes();
-  const Context context{.registry = registry};
   std::multiset<std::string> judged;
   for (const std::string& id : experiments) {
     INFO(id);
-    const store::ExperimentRecord record = concluded(computed(id, context), context);
-    const store::ExperimentRecord again = concluded(record, context);
-    CHECK(again.claims == record.claims);
-    CHECK(again.figures == record.figures);
-    REQUIRE(again.tables.size() == record.tables.size());
-    for (std::size_t i = 0; i < record.tables.size(); ++i)  // as text, because NaN is not equal to itself
-      CHECK(to_csv(again.tables[i]) == to_csv(record.tables[i]));
-    REQUIRE_FALSE(record.tables.empty());
-    for (const store::TableRecord& table : record.tables) {
-      REQUIRE_FALSE(table.columns.empty());
-      std::visit([](const auto& cells) { CHECK_FALSE(cells.empty()); }, table.columns.front().cells);
-    }
-    REQUIRE_FALSE(record.figures.empty());
-    for (const store::FigureRecord& figure : record.figures) CHECK_FALSE(figure.panels.empty());
+    const store::ExperimentRecord record = concluded(computed(id));
+    check_same_conclusions(concluded(record), record);
+    check_filled(record);
     for (const store::ClaimRecord& claim : record.claims) {
       CHECK(claim.paper == "fpc-2019-chen");
       CHECK_FALSE(claim.ours.empty());
@@ -97,20 +34,13 @@ TEST_CASE("fpc experiments: tables, figures and one verdict for every claim of t
     }
     // A verdict needs data: with nothing measured, statements about curves are not reproduced.
     store::ExperimentRecord empty{.id = id};
-    for (const store::ClaimRecord& claim : concluded(empty, context).claims)
+    for (const store::ClaimRecord& claim : concluded(empty).claims)
       if (claim.claim != "h-range") CHECK(claim.verdict == "not reproduced");
   }
-  const Paper paper = read_paper(papers_folder() / "fpc-2019-chen.toml");
-  for (const PrintedClaim& claim : paper.claims) {
-    INFO(claim.id);
-    CHECK(judged.count(claim.id) == 1);
-  }
-  CHECK(judged.size() == paper.claims.size());
+  check_each_claim_is_judged_once("fpc-2019-chen", judged);
 }
 
 TEST_CASE("fpc experiments: verdicts follow the data") {
-  const Registry registry = all_schemes();
-  const Context context{.registry = registry};
   struct Row {
     std::string experiment, claim, column;
     double value;
@@ -131,10 +61,10 @@ TEST_CASE("fpc experiments: verdicts follow the data") {
         Row{"fpc-convergence", "step-15", "difference at 15", 1e-7, "not reproduced", "reproduced"},
         Row{"fpc-locality", "local-influence", "decay", 0.1, "not reproduced", "reproduced"}}) {
     INFO(row.claim);
-    store::ExperimentRecord record = computed(row.experiment, context);
-    CHECK(verdict(concluded(record, context), row.claim) == row.before);
+    store::ExperimentRecord record = computed(row.experiment);
+    CHECK(verdict(concluded(record), row.claim) == row.before);
     set_column(record, row.column, row.value);
-    CHECK(verdict(concluded(record, context), row.claim) == row.after);
+    CHECK(verdict(concluded(record), row.claim) == row.after);
   }
 }
 
@@ -169,12 +99,11 @@ TEST_CASE("fpc: random typed inputs are solved and have their features where the
   const char* from = std::getenv("KAPPABENCH_FPC_SEED");
   const std::uint64_t inputs = count == nullptr ? 500 : std::strtoull(count, nullptr, 10);
   const std::uint64_t seed = from == nullptr ? 20191 : std::strtoull(from, nullptr, 10);
-  const Registry registry = all_schemes();
-  const SchemePtr scheme = registry.create("fpc");
+  const SchemePtr tested = scheme("fpc");
   std::uint64_t solved = 0;
   fpc::FeatureCheck total;
   for (std::uint64_t i = 0; i < inputs; ++i) {
-    const Fit fit = scheme->fit(fpc::typed_random_input(seed, i));
+    const Fit fit = tested->fit(fpc::typed_random_input(seed, i));
     if (fit.report.outcome != Outcome::converged) {
       WARN("input " << i << ": " << fit.report.message);
       continue;

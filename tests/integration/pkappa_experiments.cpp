@@ -2,7 +2,6 @@
 
 #include "experiments/pkappa_common.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -11,54 +10,21 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/experiment.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/scratch_folder.hpp"
 #include "experiments/summaries.hpp"
 #include "metrics/parabola_energy.hpp"
-#include "reports/paper.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/experiment_records.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-const Registry& schemes() {
-  static const Registry registry = [] {
-    Registry all;
-    register_all(all);
-    return all;
-  }();
-  return registry;
-}
-
-store::ExperimentRecord run_one(const std::string& id, int processes) {
-  const ScratchFolder folder;
-  const RunSummary summary = run(schemes(), {.seed = 1, .experiments = {{.id = id}}},
-                                 {.results = folder.path() / "results.h5", .processes = processes, .timeout = 60.0});
-  REQUIRE(summary.lost == 0);
-  return summary.results.experiments.front();
-}
-
-store::ExperimentRecord concluded(store::ExperimentRecord record) {
-  record.tables.clear();
-  record.figures.clear();
-  record.claims.clear();
-  find_experiment(record.id).conclude({.registry = schemes()}, record);
-  return record;
-}
-
-const store::ClaimRecord& claim_of(const store::ExperimentRecord& record, const std::string& id) {
-  const auto found = std::ranges::find(record.claims, id, &store::ClaimRecord::claim);
-  REQUIRE(found != record.claims.end());
-  return *found;
-}
 
 /// The cells of an experiment without their results: nothing is computed.
 store::ExperimentRecord blank(const std::string& id) {
   store::ExperimentRecord record{.id = id};
-  for (const CellJob& job : find_experiment(id).jobs({.registry = schemes()}))
+  for (const CellJob& job : find_experiment(id).jobs({.registry = all_schemes()}))
     record.cells.push_back({.dataset = job.dataset,
                             .scheme = job.scheme,
                             .parameters = job.parameters,
@@ -75,7 +41,7 @@ void fill(store::ExperimentRecord& record, const std::string& part, const std::s
   for (store::CellRecord& cell : record.cells) {
     if (cell.label.find(part) == std::string::npos) continue;
     found = true;
-    for (const double value : values) ekappa::put(cell, column, value);
+    for (const double value : values) study::put(cell, column, value);
   }
   REQUIRE(found);
 }
@@ -84,18 +50,7 @@ std::string verdict_with(const std::string& experiment, const std::string& claim
                          const std::function<void(store::ExperimentRecord&)>& fill_in) {
   store::ExperimentRecord record = blank(experiment);
   fill_in(record);
-  return claim_of(concluded(record), claim).verdict;
-}
-
-/// Changes every value of a column.
-void set_column(store::ExperimentRecord& record, const std::string& column, double value) {
-  for (store::CellRecord& cell : record.cells) {
-    for (store::MeasurementRecord& m : cell.measurements)
-      if (m.column == column) m.value = value;
-    for (store::CurveRecord& curve : cell.curves)
-      for (store::MeasurementRecord& m : curve.measurements)
-        if (m.column == column) m.value = value;
-  }
+  return verdict(concluded(record), claim);
 }
 
 const std::array<std::string, 8> weights{"(0, 0)",     "(0, 0.1)", "(0.01, 0.1)", "(1, 0.1)",
@@ -122,33 +77,21 @@ TEST_CASE("pkappa experiments: every claim of the paper is judged once, and by d
       judged.insert(claim.claim);
     }
   }
-  const Paper paper = read_paper(papers_folder() / "pkappa-2024-wang.toml");
-  for (const PrintedClaim& claim : paper.claims) {
-    INFO(claim.id);
-    CHECK(judged.count(claim.id) == 1);
-  }
-  CHECK(judged.size() == paper.claims.size());
+  check_each_claim_is_judged_once("pkappa-2024-wang", judged);
 }
 
 TEST_CASE("pkappa experiments: runs repeat, tables and figures are filled") {
   for (const std::string id : {"pkappa-toy", "pkappa-construction", "pkappa-order-and-symmetry"}) {
     INFO(id);
-    const store::ExperimentRecord record = run_one(id, 2);
+    const store::ExperimentRecord record = run_one({.id = id});
     // Not the whole record: a curve that was not solved has NaN among its numbers.
     const store::ExperimentRecord once_more = concluded(record);
     CHECK(once_more.tables == record.tables);
     CHECK(once_more.figures == record.figures);
     CHECK(once_more.claims == record.claims);
-    REQUIRE_FALSE(record.figures.empty());
-    for (const store::FigureRecord& figure : record.figures) CHECK_FALSE(figure.panels.empty());
-    REQUIRE_FALSE(record.tables.empty());
-    for (const store::TableRecord& table : record.tables) {
-      INFO(table.id);
-      REQUIRE_FALSE(table.columns.empty());
-      std::visit([](const auto& cells) { CHECK_FALSE(cells.empty()); }, table.columns.front().cells);
-    }
+    check_filled(record);
     if (id == "pkappa-toy") {
-      const store::ExperimentRecord again = run_one(id, 1);
+      const store::ExperimentRecord again = run_one({.id = id}, 1);
       CHECK(again.tables == record.tables);
       CHECK(again.claims == record.claims);
     }
@@ -244,7 +187,7 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
     return [local, global](store::ExperimentRecord& record) {
       for (store::CellRecord& cell : record.cells)
         if (cell.label == "numbers: local" || cell.label == "numbers: global")
-          ekappa::put(cell, "symmetric, open", cell.label == "numbers: local" ? local : global);
+          study::put(cell, "symmetric, open", cell.label == "numbers: local" ? local : global);
     };
   };
   const std::string order = "pkappa-order-and-symmetry";
@@ -269,38 +212,32 @@ TEST_CASE("pkappa experiments: the table of solvers compares with Levenberg-Marq
   for (const auto& [way, energy, seconds] :
        {std::tuple("lm, local, stage 1", 0.02, 1e-3), std::tuple("nlopt, local, stage 1", 0.03, 4e-3)}) {
     cell.timings[way] = {seconds, seconds};
-    ekappa::put(cell, std::string(way) + ": energy", energy);
-    ekappa::put(cell, std::string(way) + ": energy", std::numeric_limits<double>::quiet_NaN());
+    study::put(cell, std::string(way) + ": energy", energy);
+    study::put(cell, std::string(way) + ": energy", std::numeric_limits<double>::quiet_NaN());
   }
   const store::ExperimentRecord done = concluded(record);
-  const auto table = std::ranges::find(done.tables, "solvers", &store::TableRecord::id);
-  REQUIRE(table != done.tables.end());
-  const auto column = [&table](const std::string& name) {
-    const auto found = std::ranges::find(table->columns, name, &store::TableColumn::name);
-    REQUIRE(found != table->columns.end());
-    return std::get<std::vector<double>>(found->cells);
-  };
-  REQUIRE(column("solved") == std::vector<double>{1, 1});
-  CHECK(column("higher") == std::vector<double>{0, 1});
-  CHECK(column("lower") == std::vector<double>{0, 0});
-  CHECK(column("energy over lm")[1] == Approx(1.5));
-  CHECK(column("ratio to lm")[1] == Approx(4.0));
+  const store::TableRecord& solvers = table_of(done, "solvers");
+  REQUIRE(column_of(solvers, "solved") == std::vector<double>{1, 1});
+  CHECK(column_of(solvers, "higher") == std::vector<double>{0, 1});
+  CHECK(column_of(solvers, "lower") == std::vector<double>{0, 0});
+  CHECK(column_of(solvers, "energy over lm")[1] == Approx(1.5));
+  CHECK(column_of(solvers, "ratio to lm")[1] == Approx(4.0));
 }
 
 TEST_CASE("pkappa experiments: the bounds of the gallery are those of its curves") {
-  store::ExperimentRecord record = run_one("pkappa-gallery", 2);
-  CHECK(claim_of(record, "mean-energy-bound").verdict == "reproduced");
+  store::ExperimentRecord record = run_one({.id = "pkappa-gallery"});
+  CHECK(verdict(record, "mean-energy-bound") == "reproduced");
   set_column(record, "parabola_energy_native_mean", 0.01);
-  CHECK(claim_of(concluded(record), "mean-energy-bound").verdict == "contradicted");
+  CHECK(verdict(concluded(record), "mean-energy-bound") == "contradicted");
   for (store::CellRecord& cell : record.cells)
     for (store::CurveRecord& curve : cell.curves) curve.seconds = 100.0;
-  CHECK(claim_of(concluded(record), "time-bound").verdict == "contradicted");
+  CHECK(verdict(concluded(record), "time-bound") == "contradicted");
 }
 
 TEST_CASE("pkappa experiments: energies are those of the paper's equations") {
   const Drawing stages = wang::scaled_to(wang::drawing("stages"), 3.0);
   CHECK(mean_chord(stages.curves.front()) == Approx(3.0));
-  const SchemePtr scheme = wang::pkappa(schemes(), "");
+  const SchemePtr scheme = wang::pkappa(all_schemes(), "");
   const Fit fit = scheme->fit(stages.curves.front());
   REQUIRE(fit.curve);
   const std::vector<double> energies = wang::parabola_energies(*fit.curve);

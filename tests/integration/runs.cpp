@@ -10,16 +10,12 @@
 #include "experiments/workers.hpp"
 #include "reports/store/hdf5_store.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-Registry all_schemes() {
-  Registry registry;
-  register_all(registry);
-  return registry;
-}
 
 const Plan small_plan{.seed = 1,
                       .experiments = {{.id = "compare",
@@ -70,15 +66,14 @@ TEST_CASE("plans read back as they are written, and complain with file and line"
 }
 
 TEST_CASE("shards join to the same data as one run, and so does a run on one process") {
-  const Registry registry = all_schemes();
   const ScratchFolder folder;
   const auto file = [&](const std::string& name) { return folder.path() / name; };
-  const auto whole = run(registry, small_plan, {.results = file("whole.h5"), .processes = 2});
-  const auto alone = run(registry, small_plan, {.results = file("alone.h5"), .processes = 1});
-  (void)run(registry, small_plan, {.results = file("1.h5"), .processes = 2, .shard = 1, .shards = 2});
-  (void)run(registry, small_plan, {.results = file("2.h5"), .processes = 2, .shard = 2, .shards = 2});
-  CHECK_THROWS_WITH(merge(registry, {file("1.h5")}), ContainsSubstring("in none of the files"));
-  const auto merged = merge(registry, {file("2.h5"), file("1.h5")});
+  const auto whole = run(all_schemes(), small_plan, {.results = file("whole.h5"), .processes = 2});
+  const auto alone = run(all_schemes(), small_plan, {.results = file("alone.h5"), .processes = 1});
+  (void)run(all_schemes(), small_plan, {.results = file("1.h5"), .processes = 2, .shard = 1, .shards = 2});
+  (void)run(all_schemes(), small_plan, {.results = file("2.h5"), .processes = 2, .shard = 2, .shards = 2});
+  CHECK_THROWS_WITH(merge(all_schemes(), {file("1.h5")}), ContainsSubstring("in none of the files"));
+  const auto merged = merge(all_schemes(), {file("2.h5"), file("1.h5")});
 
   store::write_results(file("a.h5"), without_timings(whole.results));
   store::write_results(file("b.h5"), without_timings(alone.results));

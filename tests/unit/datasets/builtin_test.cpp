@@ -2,8 +2,8 @@
 #include <set>
 
 #include "datasets/text.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "datasets/readers.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 using Catch::Matchers::StartsWith;
@@ -172,10 +172,10 @@ TEST_CASE("a file cut off or damaged at any byte gives points or a message, neve
 }
 
 TEST_CASE("the ending of the name tells the format", "[datasets]") {
-  const Scratch scratch;
-  CHECK(read_drawing(scratch.file("p.txt", plain_sample)).curves.size() == 2);
-  CHECK(read_drawing(scratch.file("plain-without-ending", plain_sample)).id == "plain-without-ending");
-  CHECK(read_drawing(scratch.file("p.pts", pts_sample)).curves.size() == 2);
-  CHECK(read_drawing(scratch.file("c.csv", csv_sample)).curves.size() == 2);
-  CHECK(read_drawing(scratch.file("t.toml", toml_sample)).curves.size() == 2);
+  const ScratchFolder scratch;
+  CHECK(read_drawing(file_in(scratch, "p.txt", plain_sample)).curves.size() == 2);
+  CHECK(read_drawing(file_in(scratch, "plain-without-ending", plain_sample)).id == "plain-without-ending");
+  CHECK(read_drawing(file_in(scratch, "p.pts", pts_sample)).curves.size() == 2);
+  CHECK(read_drawing(file_in(scratch, "c.csv", csv_sample)).curves.size() == 2);
+  CHECK(read_drawing(file_in(scratch, "t.toml", toml_sample)).curves.size() == 2);
 }

@@ -6,8 +6,8 @@
 #include "datasets/analytic.hpp"
 #include "datasets/random_points.hpp"
 #include "datasets/random_source.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 using Catch::Matchers::Contains;

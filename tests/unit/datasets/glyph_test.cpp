@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "datasets/font_files.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 using Catch::Matchers::Contains;
@@ -77,8 +77,8 @@ TEST_CASE("glyphs that are not there", "[datasets]") {
   CHECK_THAT(refused("glyph:Font:ab"), Contains("\"ab\" is no single character; "));
   CHECK_THAT(refused("glyph:Font:U+XYZ"), Contains("\"U+XYZ\" is no character; "));
   CHECK_THAT(refused("glyph:Font:U+110000"), Contains("\"U+110000\" is no character; "));
-  const Scratch scratch;
-  const std::string text = scratch.file("font.ttf", "this is no font").string();
+  const ScratchFolder scratch;
+  const std::string text = file_in(scratch, "font.ttf", "this is no font").string();
   CHECK_THAT(refused("glyph:" + text + ":a"), Contains("is no font that FreeType reads; "));
 
   const std::string font = some_font();

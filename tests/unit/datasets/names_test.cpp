@@ -2,8 +2,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 using Catch::Matchers::Contains;
@@ -44,22 +44,22 @@ TEST_CASE("a name opens a built-in drawing, a file or a folder", "[datasets]") {
   REQUIRE(bird.size() == 1);
   CHECK(bird[0].id == "bird");
 
-  const Scratch scratch;
-  const auto b = scratch.file("b.csv", "0,0\n1,1\n");
-  static_cast<void>(scratch.file("a.txt", "0 0\n"));
-  static_cast<void>(scratch.file("README.md", "no points"));
+  const ScratchFolder scratch;
+  const auto b = file_in(scratch, "b.csv", "0,0\n1,1\n");
+  static_cast<void>(file_in(scratch, "a.txt", "0 0\n"));
+  static_cast<void>(file_in(scratch, "README.md", "no points"));
   CHECK(open_drawings(b.string())[0].id == "b");
-  const std::vector<Drawing> all = open_drawings(scratch.folder().string());
+  const std::vector<Drawing> all = open_drawings(scratch.path().string());
   REQUIRE(all.size() == 2);
   CHECK(all[0].id == "a");
   CHECK(all[1].id == "b");
 }
 
 TEST_CASE("a folder without points and one with a bad file are refused", "[datasets]") {
-  const Scratch scratch;
-  CHECK_THAT(refused(scratch.folder().string()), StartsWith(scratch.folder().string() + ": no points in this folder"));
-  const auto bad = scratch.file("bad.txt", "0 0\noops\n");
-  CHECK_THAT(refused(scratch.folder().string()), StartsWith(bad.string() + ":2: "));
+  const ScratchFolder scratch;
+  CHECK_THAT(refused(scratch.path().string()), StartsWith(scratch.path().string() + ": no points in this folder"));
+  const auto bad = file_in(scratch, "bad.txt", "0 0\noops\n");
+  CHECK_THAT(refused(scratch.path().string()), StartsWith(bad.string() + ":2: "));
 }
 
 TEST_CASE("an unknown name is told near ones", "[datasets]") {
@@ -71,18 +71,18 @@ TEST_CASE("an unknown name is told near ones", "[datasets]") {
 }
 
 TEST_CASE("KAPPABENCH_DATASETS moves the built-in drawings", "[datasets]") {
-  const Scratch scratch;
-  static_cast<void>(scratch.file("mine.txt", "0 0\n1 1\n2 0\n"));
-  const Environment environment("KAPPABENCH_DATASETS", scratch.folder().string());
+  const ScratchFolder scratch;
+  static_cast<void>(file_in(scratch, "mine.txt", "0 0\n1 1\n2 0\n"));
+  const Environment environment("KAPPABENCH_DATASETS", scratch.path().string());
   REQUIRE(builtin_drawings().size() == 1);
   CHECK(open_drawings("mine")[0].curves[0].size() == 3);
   CHECK_THAT(refused("bird"), Contains("no built-in drawing"));
 }
 
 TEST_CASE("a missing folder of built-in drawings is said, and files still open", "[datasets]") {
-  const Scratch scratch;
-  const auto file = scratch.file("mine.txt", "0 0\n");
-  const Environment environment("KAPPABENCH_DATASETS", (scratch.folder() / "nowhere").string());
+  const ScratchFolder scratch;
+  const auto file = file_in(scratch, "mine.txt", "0 0\n");
+  const Environment environment("KAPPABENCH_DATASETS", (scratch.path() / "nowhere").string());
   CHECK_THAT(refusal([] { return builtin_drawings(); }), Contains("this folder cannot be read"));
   CHECK(open_drawings(file.string()).size() == 1);
 }

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "datasets/readers.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 
@@ -63,9 +63,9 @@ TEST_CASE("plain text: few and coincident points are for the schemes to refuse",
 }
 
 TEST_CASE("plain text: Windows line ends and a byte order mark", "[datasets]") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Drawing drawing =
-      read_drawing(scratch.file("dos.txt", "\xEF\xBB\xBF# title: DOS\r\nclosed\r\n0 0\r\n1 0\r\n\r\n2 2\r\n"));
+      read_drawing(file_in(scratch, "dos.txt", "\xEF\xBB\xBF# title: DOS\r\nclosed\r\n0 0\r\n1 0\r\n\r\n2 2\r\n"));
   CHECK(drawing.id == "dos");
   CHECK(drawing.title == "DOS");
   REQUIRE(drawing.curves.size() == 2);
@@ -99,22 +99,22 @@ TEST_CASE("plain text: each refusal names file, line and remedy", "[datasets]") 
 TEST_CASE("a file that is no readable text is refused by name", "[datasets]") {
   using Catch::Matchers::Contains;
   using Catch::Matchers::StartsWith;
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const auto refused_file = [](const std::filesystem::path& file) {
     return refusal([&] { return read_drawing(file); });
   };
-  const auto nul = scratch.file("nul.txt", std::string_view("0 0\n1 \0 2\n", 10));
+  const auto nul = file_in(scratch, "nul.txt", std::string_view("0 0\n1 \0 2\n", 10));
   CHECK_THAT(refused_file(nul), StartsWith(nul.string() + ":2: a NUL byte; "));
-  const auto latin = scratch.file("latin.txt", "0 0\n1 1\n# caf\xE9\n");
+  const auto latin = file_in(scratch, "latin.txt", "0 0\n1 1\n# caf\xE9\n");
   CHECK_THAT(refused_file(latin), StartsWith(latin.string() + ":3: not UTF-8; "));
   for (const std::string_view broken : {"\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xFF"}) {
-    CHECK_THAT(refused_file(scratch.file("broken.txt", broken)), Contains(":1: not UTF-8; "));
+    CHECK_THAT(refused_file(file_in(scratch, "broken.txt", broken)), Contains(":1: not UTF-8; "));
   }
-  const auto empty = scratch.file("empty.txt", "");
+  const auto empty = file_in(scratch, "empty.txt", "");
   CHECK_THAT(refused_file(empty), StartsWith(empty.string() + ": empty; "));
-  CHECK_THAT(refused_file(scratch.file("blank.toml", " \n\n")), Contains(": empty; "));
-  CHECK_THAT(refused_file(scratch.folder()), StartsWith(scratch.folder().string() + ": a folder; "));
-  const auto missing = scratch.folder() / "missing.txt";
+  CHECK_THAT(refused_file(file_in(scratch, "blank.toml", " \n\n")), Contains(": empty; "));
+  CHECK_THAT(refused_file(scratch.path()), StartsWith(scratch.path().string() + ": a folder; "));
+  const auto missing = scratch.path() / "missing.txt";
   CHECK_THAT(refused_file(missing), StartsWith(missing.string() + ": cannot be opened ("));
 }
 

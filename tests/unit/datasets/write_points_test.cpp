@@ -7,8 +7,8 @@
 #include "datasets/random_points.hpp"
 #include "datasets/random_source.hpp"
 #include "datasets/readers.hpp"
-#include "scratch.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/datasets/scratch.hpp"
 
 using namespace kappabench;
 

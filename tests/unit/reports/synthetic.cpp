@@ -1,14 +1,11 @@
 #include "tests/unit/reports/synthetic.hpp"
 
-#include <stdlib.h>
-
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
 
 namespace kappabench::synthetic {
 namespace {
@@ -230,17 +227,6 @@ store::Results results() {
   small.id = "a-second";
   small.title = "Nothing to draw";
   return {{{"commit", "0000"}, {"plan", std::string(100000, 'x')}, {"seed", "7"}}, {full, small}};
-}
-
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "kappabench-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 std::string read_text(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "experiments/scratch_folder.hpp"
 #include "reports/store/model.hpp"
 
 /// Results made of formulas, so that everything written can be tested without any scheme: a rounded polygon
@@ -17,19 +18,6 @@ namespace kappabench::synthetic {
 
 /// One experiment with every kind of panel, table and claim, and a second, nearly empty one.
 [[nodiscard]] store::Results results();
-
-/// An empty folder of its own under the system's temporary folder, removed in the end.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 

@@ -180,7 +180,7 @@ TEST_CASE("Words of the user cannot become commands") {
 }
 
 TEST_CASE("gnuplot draws every figure without a word") {
-  const synthetic::ScratchFolder folder;
+  const ScratchFolder folder;
   if (!run_gnuplot(folder.path(), "/dev/null").installed) {
     WARN("gnuplot is not installed: drawing is not tested");
     return;
@@ -204,7 +204,7 @@ TEST_CASE("gnuplot draws every figure without a word") {
 }
 
 TEST_CASE("gnuplot's complaints and absence are told") {
-  const synthetic::ScratchFolder folder;
+  const ScratchFolder folder;
   const auto absent = run_gnuplot(folder.path(), "x.gp", "no-such-gnuplot");
   CHECK_FALSE(absent.installed);
   CHECK(has(absent.problem, "install the package gnuplot"));

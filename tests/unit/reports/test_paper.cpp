@@ -11,7 +11,7 @@ using namespace kappabench;
 namespace {
 
 std::string error_for(const std::string& text) {
-  const synthetic::ScratchFolder folder;
+  const ScratchFolder folder;
   std::ofstream(folder.path() / "p.toml") << text;
   try {
     (void)read_paper(folder.path() / "p.toml");
@@ -42,7 +42,7 @@ TEST_CASE("Every paper of the house can be read and says where each claim stands
 }
 
 TEST_CASE("A paper is read as it is written") {
-  const synthetic::ScratchFolder folder;
+  const ScratchFolder folder;
   std::ofstream(folder.path() / "some-paper.toml")
       << head << "[[claim]]\nid = \"a\"\nplace = \"Fig. 1\"\ntext = \"It holds.\"\nprinted = \"3\"\n"
       << "[[table]]\nid = \"t\"\nplace = \"Table 1\"\ntitle = \"N\"\ncolumns = [\"x\", \"y\"]\nrows = [[\"1\", "

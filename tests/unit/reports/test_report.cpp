@@ -14,7 +14,6 @@
 namespace fs = std::filesystem;
 using namespace kappabench;
 using synthetic::read_text;
-using synthetic::ScratchFolder;
 
 namespace {
 

@@ -21,7 +21,6 @@
 
 namespace fs = std::filesystem;
 using namespace kappabench;
-using kappabench::synthetic::ScratchFolder;
 
 namespace {
 

@@ -1,10 +1,11 @@
 #include <cmath>
 #include <limits>
 
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
@@ -21,12 +22,6 @@ std::string complaint(std::string_view text) {
     return error.what();
   }
   return "no complaint";
-}
-
-Registry all_schemes() {
-  Registry registry;
-  register_all(registry);
-  return registry;
 }
 
 Input square() { return {.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .closed = true}; }
@@ -57,7 +52,7 @@ TEST_CASE("a wrong parameter is named with what would be right") {
 }
 
 TEST_CASE("the registry knows its schemes and refuses others by name") {
-  const Registry registry = all_schemes();
+  const Registry& registry = all_schemes();
   CHECK(registry.parse("cubic-spline:parameter=uniform")->parameters().text("parameter") == "uniform");
   CHECK_THROWS_WITH(registry.parse("spline"), ContainsSubstring("unknown scheme 'spline'; known are"));
   CHECK_THROWS_WITH(registry.parse("cubic-spline:knots=3"),
@@ -65,7 +60,7 @@ TEST_CASE("the registry knows its schemes and refuses others by name") {
 }
 
 TEST_CASE("every scheme refuses what no scheme can take, in one line") {
-  const Registry registry = all_schemes();
+  const Registry& registry = all_schemes();
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto refused = [](const Scheme& scheme, const Input& input, std::string_view why) {
     const Fit fit = scheme.fit(input);

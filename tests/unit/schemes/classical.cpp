@@ -1,17 +1,12 @@
 #include <cmath>
 
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-SchemePtr scheme(std::string_view text) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(text);
-}
 
 const Input open_input{.points = {{0, 0}, {2, 1}, {3, -1}, {5, 0.5}, {5.5, 3}}, .closed = false};
 const Input closed_input{.points = {{0, 0}, {2, -1}, {3, 1}, {1.5, 2.5}, {-0.5, 1.5}}, .closed = true};

@@ -6,20 +6,15 @@
 #include <numbers>
 #include <random>
 
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
 using std::numbers::pi;
-
-SchemePtr scheme(std::string_view text) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(text);
-}
 
 /// A walk with turns of both signs; scaled and closed at will.
 Input walk(int n, std::uint64_t seed, bool closed, double scale = 1.0) {

@@ -259,9 +259,7 @@ TEST_CASE("fpc: reversing the points changes a curve with regular points") {
   const double ends_apart =
       (there.curve->segment(0).jet(1.0, 0).position() - other.curve->segment(4).jet(0.0, 0).position()).norm();
   CHECK(ends_apart > 1e-3);
-  Registry registry;
-  register_all(registry);
-  CHECK_FALSE(registry.create("fpc")->info().traits.reversal_invariant);
+  CHECK_FALSE(scheme("fpc")->info().traits.reversal_invariant);
 
   // Without regular points it does not.
   Input cusps_there = five_points(std::vector<PointType>(5, PointType::cusp)), cusps_back = cusps_there;

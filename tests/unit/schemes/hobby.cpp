@@ -3,19 +3,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "schemes/api/registry.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-SchemePtr scheme(std::string_view text) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(text);
-}
 
 const std::vector<Vec2> points{{0, 0}, {60, 40}, {40, 90}, {10, 70}, {30, 50}};
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "schemes/api/input.hpp"
-#include "schemes/api/registry.hpp"
+#include "tests/schemes.hpp"
 
 namespace kappabench::test {
 
@@ -108,11 +108,7 @@ inline Input with_random_a(Input input, std::uint64_t seed, double low, double h
   return input;
 }
 
-inline Fit fit(const std::string& scheme, const Input& input) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(scheme)->fit(input);
-}
+inline Fit fit(std::string_view text, const Input& input) { return scheme(text)->fit(input); }
 
 /// The nodes of points that have a segment of their own: all but the ends of an open curve.
 inline std::vector<Node> inner_nodes(const Fit& fit) {

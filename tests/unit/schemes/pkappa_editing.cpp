@@ -43,11 +43,7 @@ void check_interpolation(const Fit& fit) {
   CHECK(fit.curve->nodes().size() == fit.input.points.size());
 }
 
-SchemePtr pkappa(const std::string& options) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse("pkappa:" + options);
-}
+SchemePtr pkappa(const std::string& options) { return scheme("pkappa:" + options); }
 
 }  // namespace
 

@@ -55,13 +55,11 @@ struct Count {
 };
 
 Count count(Kind kind, bool closed, const std::string& mode, const std::string& continuity, int seeds) {
-  Registry registry;
-  register_all(registry);
-  const SchemePtr scheme = registry.parse("pkappa:mode=" + mode + ",continuity=" + continuity);
+  const SchemePtr pkappa = scheme("pkappa:mode=" + mode + ",continuity=" + continuity);
   Count result;
   int segments = 0;
   for (int seed = 0; seed < seeds; ++seed) {
-    const Fit fit = scheme->fit(random_ten(kind, static_cast<std::uint64_t>(seed), closed));
+    const Fit fit = pkappa->fit(random_ten(kind, static_cast<std::uint64_t>(seed), closed));
     REQUIRE(fit.curve.has_value());
     CHECK(fit.report.residual <= 1e-10);
     const bool quartic = continuity == "c1" || continuity == "g1";

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "schemes/api/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
 
 /// Null where the scheme is left out.
 SchemePtr spiro() {
-  Registry registry;
-  register_all(registry);
-  const std::vector<SchemeInfo> known = registry.list();
+  const std::vector<SchemeInfo> known = all_schemes().list();
   const bool there = std::any_of(known.begin(), known.end(), [](const SchemeInfo& info) { return info.id == "spiro"; });
-  return there ? registry.parse("spiro") : nullptr;
+  return there ? scheme("spiro") : nullptr;
 }
 
 const std::vector<Vec2> points{{0, 0}, {2, 1}, {3, -1}, {5, 0.5}, {5.5, 3}, {3, 4}};

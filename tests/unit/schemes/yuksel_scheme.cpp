@@ -2,19 +2,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "schemes/api/registry.hpp"
 #include "schemes/yuksel/local_curve.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 
 using namespace kappabench;
+using namespace kappabench::test;
 
 namespace {
-
-SchemePtr scheme(std::string_view text) {
-  Registry registry;
-  register_all(registry);
-  return registry.parse(text);
-}
 
 const std::vector<Vec2> points{{0, 0}, {2, 1}, {3, -1}, {5, 0.5}, {5.5, 3}, {3, 4}, {2.5, 6}, {-1, 5}, {0.5, 2.5}};
 const Input open_input{.points = points, .closed = false};

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "experiments/experiment.hpp"
+#include "experiments/runner.hpp"
+#include "experiments/scratch_folder.hpp"
+#include "reports/paper.hpp"
+#include "tests/catch.hpp"
+#include "tests/schemes.hpp"
+
+namespace kappabench::test {
+
+/// What the tests of experiments share: computing them, concluding again from changed cells, reading what they found.
+
+/// The cells of an experiment, computed in this process; nothing is concluded.
+inline store::ExperimentRecord computed(const std::string& id, const Context& context = {.registry = all_schemes()}) {
+  store::ExperimentRecord record{.id = id};
+  for (const CellJob& job : find_experiment(id).jobs(context)) {
+    store::CellRecord cell = job.compute();
+    cell.dataset = job.dataset;
+    cell.scheme = job.scheme;
+    cell.parameters = job.parameters;
+    cell.label = job.label;
+    record.cells.push_back(std::move(cell));
+  }
+  return record;
+}
+
+/// One experiment of a plan, run as the program does.
+inline store::ExperimentRecord run_one(const PlannedExperiment& planned, int processes = 2) {
+  const ScratchFolder folder;
+  const RunSummary summary = run(all_schemes(), {.seed = 1, .experiments = {planned}},
+                                 {.results = folder.path() / "results.h5", .processes = processes, .timeout = 60.0});
+  REQUIRE(summary.lost == 0);
+  return summary.results.experiments.front();
+}
+
+/// Tables, figures and verdicts once more, from the cells as they are now.
+inline store::ExperimentRecord concluded(store::ExperimentRecord record,
+                                         const Context& context = {.registry = all_schemes()}) {
+  record.tables.clear();
+  record.figures.clear();
+  record.claims.clear();
+  find_experiment(record.id).conclude(context, record);
+  return record;
+}
+
+/// The verdict on a claim, which must have been judged, with our value and the evidence.
+inline std::string verdict(const store::ExperimentRecord& record, std::string_view claim) {
+  const auto found = std::ranges::find(record.claims, claim, &store::ClaimRecord::claim);
+  REQUIRE(found != record.claims.end());
+  CHECK_FALSE(found->ours.empty());
+  CHECK_FALSE(found->evidence.empty());
+  return found->verdict;
+}
+
+inline const store::TableRecord& table_of(const store::ExperimentRecord& record, std::string_view id) {
+  const auto found = std::ranges::find(record.tables, id, &store::TableRecord::id);
+  REQUIRE(found != record.tables.end());
+  return *found;
+}
+
+/// A column of a table: of numbers, unless words are asked for.
+template <class Cell = double>
+const std::vector<Cell>& column_of(const store::TableRecord& table, std::string_view name) {
+  const auto found = std::ranges::find(table.columns, name, &store::TableColumn::name);
+  REQUIRE(found != table.columns.end());
+  return std::get<std::vector<Cell>>(found->cells);
+}
+
+/// Changes every value of a column, in the cells of one scheme or in all.
+inline void set_column(store::ExperimentRecord& record, std::string_view column, double value,
+                       std::string_view scheme = {}) {
+  const auto set = [&](std::vector<store::MeasurementRecord>& measurements) {
+    for (store::MeasurementRecord& m : measurements)
+      if (m.column == column) m.value = value;
+  };
+  for (store::CellRecord& cell : record.cells) {
+    if (!scheme.empty() && cell.scheme != scheme) continue;
+    set(cell.measurements);
+    for (store::CurveRecord& curve : cell.curves) set(curve.measurements);
+  }
+}
+
+/// The same tables, figures and verdicts; NaN, where there is nothing to measure, is the same as NaN.
+inline void check_same_conclusions(const store::ExperimentRecord& one, const store::ExperimentRecord& other) {
+  CHECK(one.claims == other.claims);
+  CHECK(one.figures == other.figures);
+  REQUIRE(one.tables.size() == other.tables.size());
+  const auto comparable = [](std::vector<store::TableRecord> tables) {
+    for (store::TableRecord& table : tables)
+      for (store::TableColumn& column : table.columns)
+        if (auto* numbers = std::get_if<std::vector<double>>(&column.cells))
+          std::ranges::replace_if(
+              *numbers, [](double x) { return x != x; }, std::numeric_limits<double>::lowest());
+    return tables;
+  };
+  CHECK(comparable(one.tables) == comparable(other.tables));
+}
+
+/// There are tables with rows and figures with panels.
+inline void check_filled(const store::ExperimentRecord& record) {
+  REQUIRE_FALSE(record.figures.empty());
+  for (const store::FigureRecord& figure : record.figures) CHECK_FALSE(figure.panels.empty());
+  REQUIRE_FALSE(record.tables.empty());
+  for (const store::TableRecord& table : record.tables) {
+    INFO(table.id);
+    REQUIRE_FALSE(table.columns.empty());
+    std::visit([](const auto& cells) { CHECK_FALSE(cells.empty()); }, table.columns.front().cells);
+  }
+}
+
+/// Every claim of reports/paper/<paper>.toml is judged by exactly one experiment, and none that is not there.
+inline void check_each_claim_is_judged_once(const std::string& paper, const std::multiset<std::string>& judged) {
+  const Paper printed = read_paper(papers_folder() / (paper + ".toml"));
+  for (const PrintedClaim& claim : printed.claims) {
+    INFO(claim.id);
+    CHECK(judged.count(claim.id) == 1);
+  }
+  CHECK(judged.size() == printed.claims.size());
+}
+
+}  // namespace kappabench::test
