@@ -1,10 +1,10 @@
 #include "schemes/segments/clothoid.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "schemes/segments/fresnel.hpp"
+#include "schemes/segments/gauss.hpp"
 
 namespace kappabench {
 
@@ -18,18 +18,6 @@ constexpr int gauss_points = 20;
 constexpr double phase_of_panel = 6.0;
 
 Complex unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-/// Calls `add(u, weight)` for the nodes of the Gauss-Legendre rule on [from, from + width].
-template <class Add>
-void for_gauss_nodes(double from, double width, Add add) {
-  using Rule = boost::math::quadrature::gauss<double, gauss_points>;
-  const double half = 0.5 * width, middle = from + half;
-  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-    const double offset = half * Rule::abscissa()[i], weight = half * Rule::weights()[i];
-    add(middle - offset, weight);
-    add(middle + offset, weight);
-  }
-}
 
 /// a > 0 and the phase's stationary point -b / a not after the middle: with x = (b + a u) / sqrt(2 a) the phase is
 /// x^2 - x_0^2, and the integral from x_0 to x_1 is a difference of tails.
@@ -47,7 +35,8 @@ Complex by_tails(double b, double a) {
 Complex clothoid_integral(double b, double a) {
   if (std::abs(b) + 0.5 * std::abs(a) <= phase_of_panel) {
     Complex sum = 0.0;
-    for_gauss_nodes(0.0, 1.0, [&](double u, double weight) { sum += weight * unit((b + 0.5 * a * u) * u); });
+    for_gauss_nodes<gauss_points>(0.0, 1.0,
+                                  [&](double u, double weight) { sum += weight * unit((b + 0.5 * a * u) * u); });
     return sum;
   }
   // A circular arc: the phase of the curvature rate is below rounding.
@@ -61,7 +50,7 @@ std::array<Complex, 3> clothoid_moments(double heading, double b, double a) {
   const int panels = 1 + static_cast<int>((std::abs(b) + 0.5 * std::abs(a)) / phase_of_panel);
   std::array<Complex, 3> moments{};
   for (int k = 0; k < panels; ++k)
-    for_gauss_nodes(static_cast<double>(k) / panels, 1.0 / panels, [&](double u, double weight) {
+    for_gauss_nodes<gauss_points>(static_cast<double>(k) / panels, 1.0 / panels, [&](double u, double weight) {
       const Complex value = weight * unit(heading + (b + 0.5 * a * u) * u);
       moments[0] += value;
       moments[1] += u * value;
