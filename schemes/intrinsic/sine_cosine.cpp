@@ -1,0 +1,25 @@
+#include "schemes/intrinsic/sine_cosine.hpp"
+
+#include "schemes/intrinsic/batch_sine_cosine.hpp"
+
+namespace kappabench::intrinsic {
+
+#ifdef KAPPABENCH_WITH_AVX2
+void sine_cosine_avx2(std::span<const double> angle, std::span<double> sine, std::span<double> cosine);
+#endif
+
+void sine_cosine(Sines sines, std::span<const double> angle, std::span<double> sine, std::span<double> cosine) {
+  if (sines == Sines::library) {
+    for (std::size_t i = 0; i < angle.size(); ++i) {
+      sine[i] = std::sin(angle[i]);
+      cosine[i] = std::cos(angle[i]);
+    }
+    return;
+  }
+#ifdef KAPPABENCH_WITH_AVX2
+  if (__builtin_cpu_supports("avx2")) return sine_cosine_avx2(angle, sine, cosine);
+#endif
+  batch_sine_cosine<xsimd::default_arch>(angle, sine, cosine);
+}
+
+}  // namespace kappabench::intrinsic
