@@ -26,6 +26,7 @@ struct CommandLine {
   CLI::App app{"kappabench: the research benchmark for interpolatory planar curves", "kappabench"};
   ListArguments list_arguments{};
   FitArguments fit_arguments{};
+  HermiteArguments hermite_arguments{};
   CompareArguments compare_arguments{};
   RunArguments run_arguments{};
   ReproduceArguments reproduce_arguments{};
@@ -37,6 +38,7 @@ struct CommandLine {
     app.require_subcommand(1);
     add_list(registry);
     add_fit(registry);
+    add_hermite(registry);
     add_compare(registry);
     add_run(registry);
     add_reproduce(registry);
@@ -63,6 +65,24 @@ struct CommandLine {
         ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
     verb->add_option("-o,--output", fit_arguments.output, "file to write; default: standard output");
     verb->callback([&] { status = fit(registry, fit_arguments); });
+  }
+
+  void add_hermite(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("hermite", "Join two points with given tangents, and curvatures if given");
+    verb->add_option("--from", hermite_arguments.from, "x,y,DEG[,kappa]: point, direction in degrees, curvature")
+        ->required();
+    verb->add_option("--to", hermite_arguments.to, "x,y,DEG[,kappa]")->required();
+    verb->add_option("--scheme", hermite_arguments.scheme, "ID[:key=value,...] that can do it")->capture_default_str();
+    verb->add_option("--format", hermite_arguments.format, "json|csv|svg|xy")
+        ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
+    verb->add_option("-o,--output", hermite_arguments.output, "file to write; default: standard output");
+    verb->footer(
+        "Directions are against the x axis, anticlockwise; curvature is 1/length, positive to the left.\n"
+        "Examples:\n"
+        "  kappabench hermite --from 0,0,30 --to 2,1,-45 --format svg -o curve.svg\n"
+        "  kappabench hermite --from 0,0,-20,0.3 --to 1,0,40,2.2\n"
+        "  kappabench hermite --from 0,0,-20,0.3 --to 1,0,40,1.55 --scheme clothoid3");
+    verb->callback([&] { status = hermite(registry, hermite_arguments); });
   }
 
   void add_compare(const Registry& registry) {

@@ -78,6 +78,12 @@ std::string parameters_json(const Parameters& parameters) {
                                          ","));
 }
 
+std::string counters_json(const std::map<std::string, long>& counters) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : counters) texts.push_back(fmt::format("{}:{}", quote(name), value));
+  return fmt::format("{{{}}}", fmt::join(texts, ","));
+}
+
 std::string node_json(const Node& node) {
   return fmt::format(R"({{"point":{},"segment":{},"t":{},"pinned":{},"at_inflection":{},"curvature_minimum":{}}})",
                      node.point, node.segment, number(node.t), node.pinned, node.at_inflection, node.curvature_minimum);
@@ -94,10 +100,11 @@ std::string curve_json(const Scheme& scheme, const Fit& fit) {
   const bool has_curve = fit.curve.has_value();
   return fmt::format(
       R"({{"format":"kappabench-curve","version":1,"scheme":{},"parameters":{},"closed":{},)"
-      R"("outcome":{},"message":{},"iterations":{},"residual":{},"seconds":{},)"
+      R"("outcome":{},"message":{},"iterations":{},"residual":{},"seconds":{},"counters":{},)"
       R"("segments":{},"nodes":{},"joints":{}}})",
       quote(scheme.info().id), parameters_json(scheme.parameters()), fit.input.closed, quote(name(report.outcome)),
       quote(report.message), report.iterations, number(report.residual), number(report.seconds),
+      counters_json(report.counters),
       has_curve ? list(fit.curve->segments(), [](const SegmentPtr& segment) { return segment_json(*segment); }) : "[]",
       has_curve ? list(fit.curve->nodes(), node_json) : "[]", has_curve ? list(fit.curve->joints(), joint_json) : "[]");
 }

@@ -38,6 +38,7 @@ ordered_json schemes_json(const Registry& registry) {
                     {"continuity", name(traits.continuity)},
                     {"continuity_exceptions", traits.continuity_exceptions},
                     {"locality", traits.locality},
+                    {"hermite", traits.hermite},
                     {"parameters", parameters}});
   }
   return list;

@@ -25,6 +25,15 @@ struct FitArguments {
 };
 int fit(const Registry& registry, const FitArguments& arguments);
 
+struct HermiteArguments {
+  std::string from;  ///< "x,y,DEG[,kappa]": point, direction in degrees against the x axis, signed curvature
+  std::string to;
+  std::string scheme = "intrinsic";
+  std::string format = "json";
+  std::filesystem::path output{};  ///< empty: standard output
+};
+int hermite(const Registry& registry, const HermiteArguments& arguments);
+
 struct CompareArguments {
   std::vector<std::string> points;
   std::vector<std::string> schemes{};

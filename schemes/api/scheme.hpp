@@ -23,6 +23,7 @@ struct SchemeTraits {
   bool reversal_invariant = true;
   bool cyclic_shift_invariant = true;  ///< closed curves
   bool repeats_allowed = false;        ///< takes coincident consecutive points
+  bool hermite = false;                ///< fits two points with given tangents, and curvatures if given
   /// A refit gives the curve that a fit of the edited input gives. Not so where a curve depends on how it was made.
   bool refit_is_fit = true;
 };

@@ -41,7 +41,9 @@ SchemeInfo Clothoid3::describe() {
           .traits = {.fewest_open_points = 2,
                      .continuity = Continuity::g2,
                      .continuity_exceptions = "corners (G0) where the legs turn straight back",
-                     .locality = 4}};
+                     .locality = 4,
+                     .hermite = true},
+          .version = 2};
 }
 
 namespace {
@@ -88,34 +90,62 @@ bool runs_along_chord(const CurveElement& from, const CurveElement& to, const Ru
   return std::max(off(from.heading), off(to.heading)) <= 4.0 * rules.aligned_sine;
 }
 
-/// Step 6: what lies between two points.
-Span span_between(const PointElement& from, const PointElement& to, Pieces pieces, const Rules& rules) {
-  const bool flat = from.at.curvature == 0.0 && to.at.curvature == 0.0;
-  if (flat && runs_along_chord(from.at, to.at, rules)) return straight(from.at.point, to.at.point, Continuity::g2);
-  if (pieces == Pieces::clc && from.at.curvature != 0.0 && to.at.curvature != 0.0) {
-    auto found = clothoid_line_clothoid(from.at, to.at, rules);
+/// Step 5: what lies between two points.
+Span arcs_between(const CurveElement& from, const CurveElement& to, Pieces pieces, const Rules& rules) {
+  if (pieces == Pieces::clc && from.curvature != 0.0 && to.curvature != 0.0) {
+    auto found = clothoid_line_clothoid(from, to, rules);
     if (found && found->misalignment < allowed_misalignment)
       return {.pieces = std::move(found->pieces), .residual = found->misalignment, .clc = true};
   }
-  if (const auto found = three_arcs(from.at, to.at)) {
-    const bool bent = std::min(std::abs(from.at.curvature), std::abs(to.at.curvature)) > rules.least_curvature;
+  if (const auto found = three_arcs(from, to)) {
+    const bool bent = std::min(std::abs(from.curvature), std::abs(to.curvature)) > rules.least_curvature;
     return {.pieces = {found->arcs.begin(), found->arcs.end()},
             .iterations = found->iterations,
             .residual = found->residual,
-            .misses_property = bent && !good(*found, from.at.curvature, to.at.curvature, rules)};
+            .misses_property = bent && !good(*found, from.curvature, to.curvature, rules)};
   }
   // What the published code does then.
-  return straight(from.at.point, to.at.point, Continuity::g0);
+  return straight(from.point, to.point, Continuity::g0);
+}
+
+Span span_between(const CurveElement& from, const CurveElement& to, Pieces pieces, const Rules& rules) {
+  const bool flat = from.curvature == 0.0 && to.curvature == 0.0;
+  if (flat && runs_along_chord(from, to, rules)) return straight(from.point, to.point, Continuity::g2);
+  return arcs_between(from, to, pieces, rules);
+}
+
+/// Two points that stand alone. A heading that nobody gave is that of the circle which the other one determines, a
+/// curvature that of the clothoid with both headings; that clothoid itself where no curvature is given. Nothing is
+/// refined, and data that are all but straight are met like any others.
+Span lone_span(const Input& input, const Run& run, Pieces pieces, const Rules& rules) {
+  const Vec2 &start = input.points[run.points.front()], &end = input.points[run.points.back()];
+  const PointOptions& at_start = input.options_of(static_cast<int>(run.points.front()));
+  const PointOptions& at_end = input.options_of(static_cast<int>(run.points.back()));
+  const bool curvature_given = at_start.curvature || at_end.curvature;
+  if (!at_start.tangent && !at_end.tangent && !curvature_given) return straight(start, end, Continuity::g2);
+
+  const double direction = std::atan2(end.y() - start.y(), end.x() - start.x());
+  const auto mirrored = [direction](double heading) { return 2.0 * direction - heading; };
+  CurveElement from{start, at_start.tangent.value_or(mirrored(at_end.tangent.value_or(direction))), 0.0};
+  CurveElement to{end, at_end.tangent.value_or(mirrored(from.heading)), 0.0};
+  const auto clothoid = g1_hermite(from, to);
+  if (!clothoid) return straight(start, end, Continuity::g0);
+  if (!curvature_given) return {.pieces = {*clothoid}};
+  from.curvature = at_start.curvature.value_or(clothoid->curvature);
+  to.curvature = at_end.curvature.value_or(clothoid->curvature + clothoid->curvature_rate * clothoid->length);
+  Span span = arcs_between(from, to, pieces, rules);
+  // Where a clothoid has vanished, the line next to it cannot have the given heading and curvature.
+  if (span.clc && span.pieces.size() < 3) span = arcs_between(from, to, Pieces::three_arcs, rules);
+  return span;
 }
 
 std::vector<Span> spans_of(const Input& input, const Run& run, Pieces pieces, bool refined, const Rules& rules) {
+  if (run.points.size() == 2) return {lone_span(input, run, pieces, rules)};
   std::vector<PointElement> elements = elements_of(input, run, rules);
-  if (elements.empty())
-    return {straight(input.points[run.points.front()], input.points[run.points.back()], Continuity::g2)};
   if (refined) refine(elements, run.closed, pieces, rules);
   std::vector<Span> spans;
   for (std::size_t i = 0; i < run.spans(); ++i)
-    spans.push_back(span_between(elements[i], elements[(i + 1) % elements.size()], pieces, rules));
+    spans.push_back(span_between(elements[i].at, elements[(i + 1) % elements.size()].at, pieces, rules));
   return spans;
 }
 

@@ -88,7 +88,6 @@ void take_clothoid_curvatures(const Neighbourhoods& points, bool closed, std::ve
 std::vector<PointElement> elements_of(const Input& input, const Run& run, const Rules& rules) {
   const Neighbourhoods points(input, run);
   const std::size_t n = points.size();
-  if (n < 3) return {};
   const std::vector<int> turn = turns(points, rules);
   std::vector<PointElement> elements;
   for (std::size_t i = 0; i < n; ++i) {

@@ -16,8 +16,8 @@ struct PointElement {
   bool given_curvature;  ///< by the user: not to be refined
 };
 
-/// Heading and curvature at every point of a run, from its neighbours (steps 2 and 3 of README.md), or as the options
-/// of the points say. Runs of two points have none: they are straight.
+/// Heading and curvature at every point of a run of three or more, from its neighbours (steps 2 and 3 of README.md), or
+/// as the options of the points say.
 [[nodiscard]] std::vector<PointElement> elements_of(const Input& input, const Run& run, const Rules& rules);
 
 }  // namespace kappabench::clothoid3

@@ -28,7 +28,7 @@ struct ThreeArcs {
 
 /// Bertolazzi and Frego 2018: the lengths of the outer arcs are fixed from the G1 clothoid; length and middle heading
 /// of the arc between solve two equations. Newton with the exact Jacobian, each step shortened until the residual
-/// falls; nullopt if it ends above 1e-10.
+/// falls; nullopt if it ends above 1e-10, or if a rate of curvature is too large for a double.
 [[nodiscard]] std::optional<ThreeArcs> three_arcs(const CurveElement& from, const CurveElement& to);
 
 }  // namespace kappabench::clothoid3

@@ -165,8 +165,12 @@ std::optional<ThreeArcs> three_arcs(const CurveElement& from, const CurveElement
   const double half = 0.5 * (length - problem.length0 - problem.length1), middle = problem.length0 + half;
   const Solution solution = newton(problem, {half, problem.heading0 + (k0 + 0.5 * rate * middle) * middle});
   if (!(solution.state.residual() <= 1e-10)) return std::nullopt;
-  return ThreeArcs{placed(problem, solution, from, to, direction, unit), solution.iterations,
-                   solution.state.residual()};
+  const ThreeArcs found{placed(problem, solution, from, to, direction, unit), solution.iterations,
+                        solution.state.residual()};
+  // Rates grow with the square of curvatures, which may be too large for that.
+  if (!std::ranges::all_of(found.arcs, [](const ClothoidForm& arc) { return std::isfinite(arc.curvature_rate); }))
+    return std::nullopt;
+  return found;
 }
 
 }  // namespace kappabench::clothoid3

@@ -27,8 +27,9 @@ StandardData standard_form(const HermiteData& data) {
   const Vec2 chord = data.to.point - data.from.point;
   const double direction = std::atan2(chord.y(), chord.x()), length = chord.norm();
   const double chord_angle = principal(direction - data.from.heading);
-  return {chord_angle, chord_angle + principal(data.to.heading - direction), times(data.from.curvature, length),
-          times(data.to.curvature, length)};
+  // A heading straight back is half a turn either way: the other way than at the start makes an S and not a full turn.
+  const double end_angle = -principal(direction - data.to.heading);
+  return {chord_angle, chord_angle + end_angle, times(data.from.curvature, length), times(data.to.curvature, length)};
 }
 
 StandardData mirrored(const StandardData& data) {

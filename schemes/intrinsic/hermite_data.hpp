@@ -29,7 +29,7 @@ struct StandardData {
   std::optional<double> start_curvature;  ///< times the chord
   std::optional<double> end_curvature;
 
-  /// Of the end tangent against the chord, theta_d - theta_e, in (-pi, pi].
+  /// Of the end tangent against the chord, theta_d - theta_e, in [-pi, pi).
   [[nodiscard]] double end_angle() const { return turning - chord_angle; }
 };
 

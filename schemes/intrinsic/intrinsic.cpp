@@ -147,20 +147,23 @@ std::string reason_folded(const Input& input) {
 /// The worst of the spans' outcomes, and what they count.
 Report report_of(const std::vector<SpanFit>& spans) {
   Report report{.outcome = Outcome::converged};
-  long not_monotone = 0, fallen_back = 0, missed = 0;
+  long not_monotone = 0, fallen_back = 0, missed = 0, without_curvature = 0;
   for (const SpanFit& span : spans) {
     report.iterations += span.fit.iterations;
     report.residual = std::max(report.residual, span.fit.residual);
     not_monotone += span.trend == Trend::not_monotone ? 1 : 0;
     fallen_back += span.fell_back ? 1 : 0;
-    missed += span.fit.outcome == Outcome::converged && span.keeps_curvature ? 0 : 1;
+    missed += span.fit.outcome == Outcome::converged ? 0 : 1;
+    without_curvature += span.keeps_curvature ? 0 : 1;
   }
   report.counters = {{"spans_not_monotone", not_monotone}, {"spans_fallen_back", fallen_back}};
-  if (missed > 0) {
-    report.outcome = Outcome::not_converged;
-    report.message = fmt::format("{} of {} spans miss their end, by up to {:.3g} chords, or its curvature", missed,
-                                 spans.size(), report.residual);
-  }
+  if (missed == 0 && without_curvature == 0) return report;
+  report.outcome = Outcome::not_converged;
+  report.message =
+      missed > 0
+          ? fmt::format("{} of {} spans miss their end, by up to {:.3g} chords", missed, spans.size(), report.residual)
+          : fmt::format("{} of {} spans have no solution with the curvature at their ends and are G1",
+                        without_curvature, spans.size());
   return report;
 }
 

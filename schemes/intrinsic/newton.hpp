@@ -58,10 +58,12 @@ template <class F>
 
 /// Follows the solution of a problem that depends on s from s = 0, where `x` solves it, to s = 1. `solve_at(s, guess)`
 /// returns a NewtonResult. Secant predictor; the step doubles after a success and shrinks to 0.35 of itself after a
-/// failure. The result's iterations are those of all steps; not converged if the step falls below `least_step`.
+/// failure. The result's iterations are those of all steps; not converged if the step falls below `least_step` or after
+/// 200 steps.
 template <class Solve>
 [[nodiscard]] NewtonResult follow(const Solve& solve_at, const Eigen::Vector3d& x, double first_step = 1.0,
                                   double least_step = 1e-4) {
+  constexpr int most_tries = 200;
   struct Known {
     double s;
     Eigen::Vector3d x;
@@ -70,7 +72,8 @@ template <class Solve>
   std::optional<Known> before;
   NewtonResult result{x, 0.0, 0, false};
   double step = first_step;
-  while (last.s < 1.0) {
+  for (int tries = 0; last.s < 1.0; ++tries) {
+    if (tries == most_tries) return result;
     const double s = std::min(1.0, last.s + step);
     Eigen::Vector3d guess = last.x;
     if (before) guess += (last.x - before->x) * ((s - last.s) / (last.s - before->s));

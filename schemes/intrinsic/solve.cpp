@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "schemes/curve/exact_curvature.hpp"
@@ -62,16 +63,33 @@ ControlRule rule_for(const StandardData& data, const BSplineBasis& basis, double
   return rule;
 }
 
+namespace {
+
+constexpr double too_much_turning = 1e4;  ///< radians: rounding of angles spoils positions
+
+double absolute_turning(const StandardCurve& curve) {
+  const std::vector<double> integrals = basis_integrals(curve.basis);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < integrals.size(); ++i) sum += integrals[i] * std::abs(curve.controls[i]);
+  return curve.length * sum;
+}
+
+}  // namespace
+
 HermiteFit judged(const StandardData& data, StandardCurve curve, int iterations, bool converged) {
   HermiteFit fit{Outcome::failed, "the solver left the range of numbers", std::nullopt, iterations, 0.0};
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!std::ranges::all_of(curve.controls, finite) || !(curve.length > 0.0) || !std::isfinite(curve.length)) return fit;
+  if (const double turning = absolute_turning(curve); !(turning <= too_much_turning)) {
+    fit.message = fmt::format("the curve turns by {:.3g} radians in all", turning);
+    return fit;
+  }
   fit.residual = gap(curve, data);
   fit.curve = std::move(curve);
   // What the rounding of the largest curvature does to angles and positions.
   double largest = 0.0;
   for (const double k : fit.curve->controls) largest = std::max(largest, std::abs(k));
-  const bool met = converged && fit.residual <= std::max(1e-12, 1e-14 * largest);
+  const bool met = converged && fit.residual <= std::clamp(1e-14 * largest, 1e-12, 1e-10);
   fit.outcome = met ? Outcome::converged : Outcome::not_converged;
   fit.message = met ? "" : fmt::format("the end is missed by {:.3g} chords", fit.residual);
   return fit;
@@ -97,9 +115,31 @@ HermiteFit solve_automatically(const StandardData& data, const Settings& setting
   return judged(data, std::move(solution.curve), solution.iterations, solution.converged);
 }
 
+/// With one curvature given the other one is free: if any makes the data viable, that with the nesting of the clothoid.
+StandardData completed(StandardData data) {
+  if (data.start_curvature.has_value() == data.end_curvature.has_value()) return data;
+  const Solved clothoid = g1_clothoid(data);
+  const StandardData linear{data.chord_angle, data.turning, clothoid.x, clothoid.y};
+  const Viability wanted = viability(linear);
+  const double sign = wanted.rising ? 1.0 : -1.0;
+  const bool start_given = data.start_curvature.has_value();
+  StandardData tried = linear;
+  (start_given ? tried.start_curvature : tried.end_curvature) = start_given ? data.start_curvature : data.end_curvature;
+  const Viability v = viability(tried);
+  const double slack = start_given ? v.start_slack : v.end_slack;
+  if (!clothoid.converged || v.only_circle() || !(slack > 0.0)) return data;
+  const double other = wanted.nesting * v.least_product / slack;
+  if (start_given)
+    tried.end_curvature = 2.0 * std::sin(data.end_angle()) + sign * other;
+  else
+    tried.start_curvature = 2.0 * std::sin(data.chord_angle) - sign * other;
+  return tried;
+}
+
 }  // namespace
 
-HermiteFit solve(const StandardData& data, const Settings& settings) {
+HermiteFit solve(const StandardData& asked, const Settings& settings) {
+  const StandardData data = settings.automatic ? completed(asked) : asked;
   const int given = (data.start_curvature ? 1 : 0) + (data.end_curvature ? 1 : 0);
   if (settings.automatic && given == 2) return solve_automatically(data, settings);
   if (settings.basis.size() < 2 + given)

@@ -47,8 +47,9 @@ struct HermiteFit {
 /// A curve through both ends with their headings, and with those of the two curvatures that are given. Curvatures free
 /// at both ends: unknowns are the first and last control (G1); given ones are first and last control, and the unknowns
 /// their neighbours (G2). With `automatic`, two given curvatures have a monotone solution exactly if the data are
-/// viable; if they are not the outcome is `unsupported_input` with the reason, and there is no curve. Otherwise the
-/// curve may have extrema: `verdict_of` tells. Never throws for finite data and a well-formed basis.
+/// viable; if they are not the outcome is `unsupported_input` with the reason, and there is no curve. One given
+/// curvature is completed by one that makes the data viable, if there is any. Otherwise the curve may have extrema:
+/// `verdict_of` tells. Never throws for finite data and a well-formed basis.
 [[nodiscard]] HermiteFit solve(const StandardData& data, const Settings& settings = {});
 
 /// The rule that `solve` uses on fixed knots: given end curvatures are controls of their own, and the unknowns are the

@@ -1,51 +1,19 @@
 // The program as scripts call it: exit status, one line on stderr, formats.
-#include <sys/wait.h>
-
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "experiments/scratch_folder.hpp"
 #include "schemes/curve/vec.hpp"
 #include "tests/catch.hpp"
+#include "tests/integration/program.hpp"
 
 using kappabench::ScratchFolder;
 using kappabench::Vec2;
+using namespace kappabench::test;
 using nlohmann::json;
 
 namespace {
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Ran {
-  int status;
-  std::string out, err;
-};
-
-/// Runs `kappabench <arguments>` in `folder` through the shell.
-Ran run(const ScratchFolder& folder, const std::string& arguments) {
-  const auto out = folder.path() / "stdout", err = folder.path() / "stderr";
-  const std::string command = "cd '" + folder.path().string() + "' && '" KAPPABENCH_PROGRAM "' " + arguments + " >'" +
-                              out.string() + "' 2>'" + err.string() + "'";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), contents(out), contents(err)};
-}
-
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-/// Exit status 2 and a single line on stderr that holds `what`.
-void refused(const Ran& ran, const std::string& what) {
-  CHECK(ran.status == 2);
-  CHECK_THAT(ran.err, ContainsSubstring(what));
-  CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
-}
 
 const std::string five = "closed\n0 0\n4 -1\n5 3\n2 5\n-1 3\n";
 
@@ -67,6 +35,8 @@ TEST_CASE("fit prints the curve as kappabench-curve JSON that rebuilds it") {
   CHECK(curve["closed"] == true);
   CHECK(curve["outcome"] == "converged");
   CHECK(curve["residual"].get<double>() <= 1e-12);
+  CHECK(curve["counters"]["at_inflection"] == 0);
+  CHECK(curve["counters"]["newton"].get<int>() + curve["counters"]["sweeps"].get<int>() > 0);
   REQUIRE(curve["segments"].size() == 5);
   REQUIRE(curve["nodes"].size() == 5);
   REQUIRE(curve["joints"].size() == 5);

@@ -260,6 +260,77 @@ TEST_CASE("clothoid3 takes given tangents and curvatures and does not refine the
   CHECK(curvature(fit.curve->segment(fit.curve->nodes()[6].segment).jet(0.0, 2)) == Approx(0.0).margin(1e-14));
 }
 
+TEST_CASE("clothoid3 meets tangents and curvatures of two points: arches, S-shapes, and the same backwards") {
+  struct Known {
+    Vec2 to;
+    double heading0, curvature0, heading1, curvature1;
+  };
+  // From the origin; every one also from its end, where headings turn round and curvatures change sign.
+  const std::vector<Known> cases{{{1, 0}, -pi / 9, 0.3, 2 * pi / 9, 1.55},
+                                 {{1, 0}, -pi / 9, 0.3, 2 * pi / 9, 2.2},
+                                 {{1, 0}, 0.7, 0.4, 0.7, -0.2},
+                                 {{2, 1}, 0.5, -1.0, -0.8, 0.5},
+                                 {{-3, 0.5}, -2.0, 0.0, 2.5, 0.0},
+                                 {{1e-4, 2e-4}, 1.0, 2e4, 0.3, -1e4},
+                                 {{0, -1e5}, -1.6, 1e-5, -1.4, 1e-5},
+                                 {{1, 0}, 3.1, 0.1, -3.1, -4.0},
+                                 {{1, 0}, 0.0, 0.0, 1e-9, 0.0},
+                                 {{1, 0}, 0.0, 0.0, 0.0, 0.0}};
+  for (const Known& k : cases)
+    for (const bool backwards : {false, true})
+      for (const int given : {0, 1, 2, 3})
+        for (const std::string_view text :
+             {"clothoid3", "clothoid3:compat=true", "clothoid3:refine=false", "clothoid3:pieces=clc"}) {
+          Input input{
+              .points = {{0, 0}, k.to}, .closed = false, .options{{.tangent = k.heading0}, {.tangent = k.heading1}}};
+          if ((given & 1) != 0) input.options[0].curvature = k.curvature0;
+          if ((given & 2) != 0) input.options[1].curvature = k.curvature1;
+          if (backwards) {
+            std::swap(input.points[0], input.points[1]);
+            std::swap(input.options[0], input.options[1]);
+            for (PointOptions& options : input.options) {
+              *options.tangent += pi;
+              if (options.curvature) *options.curvature *= -1.0;
+            }
+          }
+          INFO(text << ", headings " << k.heading0 << " and " << k.heading1 << ", curvatures given: " << given
+                    << (backwards ? ", backwards" : ""));
+          const Fit fit = scheme(text)->fit(input);
+          REQUIRE(fit.report.outcome == Outcome::converged);
+          if (text != "clothoid3:pieces=clc") check_g2(fit);
+          // Nobody gave a curvature: the one clothoid with these tangents.
+          CHECK(fit.curve->size() == (given == 0 ? 1 : 3));
+          const double chord = k.to.norm();
+          for (const int end : {0, 1}) {
+            const Jet jet = fit.curve->segment(end == 0 ? 0 : fit.curve->size() - 1).jet(end, 2);
+            const PointOptions& options = input.options_of(end);
+            CHECK((jet.position() - input.points[static_cast<std::size_t>(end)]).norm() <= 1e-12 * chord);
+            CHECK(std::abs(std::remainder(tangent_angle(jet) - *options.tangent, 2.0 * pi)) <= 1e-12);
+            if (options.curvature)
+              CHECK(curvature(jet) * chord == Approx(*options.curvature * chord).epsilon(1e-12).margin(1e-12));
+          }
+        }
+}
+
+TEST_CASE(
+    "with one curvature of two points clothoid3 takes the other one from the clothoid, with one tangent the circle") {
+  Input input{.points = {{0, 0}, {2, 1}}, .closed = false, .options{{.tangent = 0.5}, {.tangent = -0.8}}};
+  const auto end_curvature = [](const Fit& fit) {
+    return curvature(fit.curve->segment(fit.curve->size() - 1).jet(1.0, 2));
+  };
+  const double free = end_curvature(scheme("clothoid3")->fit(input));
+  input.options[0].curvature = 0.1;
+  CHECK(end_curvature(scheme("clothoid3")->fit(input)) == Approx(free).epsilon(1e-12));
+
+  const Fit circle =
+      scheme("clothoid3")->fit({.points = {{1, 0}, {0, 1}}, .closed = false, .options{{.tangent = pi / 2}, {}}});
+  REQUIRE(circle.report.outcome == Outcome::converged);
+  for (const double t : {0.0, 0.3, 1.0})
+    CHECK(circle.curve->segment(0).jet(t, 0).position().norm() == Approx(1.0).epsilon(1e-14));
+  const Fit straight = scheme("clothoid3")->fit({.points = {{0, 0}, {3, 4}}, .closed = false});
+  CHECK(curvature(straight.curve->segment(0).jet(0.5, 2)) == 0.0);
+}
+
 TEST_CASE("degenerate input of clothoid3") {
   const Fit two = scheme("clothoid3")->fit({.points = {{0, 0}, {3, 4}}, .closed = false});
   REQUIRE(two.report.outcome == Outcome::converged);

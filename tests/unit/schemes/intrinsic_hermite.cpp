@@ -87,8 +87,14 @@ TEST_CASE("intrinsic: G2 fixture on fixed knots is not monotone, the automatic o
   CHECK(automatic.curve->length == Approx(1.0447610569786732).epsilon(1e-14));
   const std::array knots{0.33452596300686327, 0.54178711316258199, 0.68879293528929708, 0.83886490783987666};
   for (std::size_t i = 0; i < 4; ++i) CHECK(automatic.curve->basis.knots[3 + i] == Approx(knots[i]).epsilon(1e-13));
-  const std::array controls{0.3,                0.34943204917024939, 0.49867488794507444, 0.83227425386864351,
-                            1.3073865844578383, 1.7597570948059311,  2.0794227229741651,  2.2};
+  const std::array controls{0.3,
+                            0.34943204917024939,
+                            0.49867488794507444,
+                            0.83227425386864351,
+                            1.3073865844578383,
+                            1.7597570948059311,
+                            2.0794227229741651,
+                            2.2};
   for (std::size_t i = 0; i < 8; ++i) CHECK(automatic.curve->controls[i] == Approx(controls[i]).epsilon(1e-12));
   CHECK(verdict_of(*automatic.curve).trend == Trend::rising);
 }
@@ -185,7 +191,8 @@ TEST_CASE("intrinsic: G1 data of any angles are solved, and p keeps them monoton
     int degree, controls;
     double p;
   };
-  for (const Family& f : {Family{1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {3, 6, 0}, {3, 6, -1}, {3, 6, 0.5}, {3, 6, 1}, {3, 8, 0}}) {
+  for (const Family& f :
+       {Family{1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {3, 6, 0}, {3, 6, -1}, {3, 6, 0.5}, {3, 6, 1}, {3, 8, 0}}) {
     const FixedKnots knots = g1_knots(f.degree, f.controls, f.p);
     int missed = 0, bent = 0;
     double worst = 0.0;
@@ -252,7 +259,8 @@ TEST_CASE("intrinsic: viable G2 data of nine classes have a monotone solution") 
       const HermiteFit fit = solve(data);
       if (fit.outcome != Outcome::converged) {
         ++missed;
-        UNSCOPED_INFO("missed " << start << ", " << end << ", " << *data.start_curvature << ", " << *data.end_curvature);
+        UNSCOPED_INFO("missed " << start << ", " << end << ", " << *data.start_curvature << ", "
+                                << *data.end_curvature);
         continue;
       }
       const Trend trend = verdict_of(*fit.curve).trend;

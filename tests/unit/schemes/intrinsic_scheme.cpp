@@ -112,10 +112,31 @@ TEST_CASE("intrinsic scheme: two points are the Hermite problem") {
   const Fit refused = scheme("intrinsic")->fit(input);
   CHECK(refused.report.outcome == Outcome::unsupported_input);
   CHECK_THAT(refused.report.message, Contains("from point 0 to 1") && Contains("do not nest"));
+  // One curvature alone leaves the other one free.
+  Input half = input;
+  half.options[1].curvature.reset();
+  const Fit completed = scheme("intrinsic")->fit(half);
+  REQUIRE(completed.report.outcome == Outcome::converged);
+  CHECK(completed.report.counters.at("spans_not_monotone") == 0);
+  CHECK(curvature(completed.curve->segment(0).jet(0.0, 2)) == Approx(0.3).epsilon(1e-13));
   // On fixed knots there is a curve, with an extremum.
   const Fit bent = scheme("intrinsic:auto=false")->fit(input);
   REQUIRE(bent.report.outcome == Outcome::converged);
   CHECK(extrema_inside(*bent.curve) > 0);
+}
+
+TEST_CASE("intrinsic scheme: extreme data end in time, and not as converged") {
+  Input input{.points = {{0, 0}, {1, 0}}, .options = std::vector<PointOptions>(2)};
+  input.options[0].tangent = pi;
+  input.options[1].tangent = pi;
+  CHECK(scheme("intrinsic")->fit(input).report.outcome == Outcome::converged);  // an S that starts and ends backwards
+  for (const double curvature : {1e8, -1e8, 1e200}) {
+    INFO(curvature);
+    input.options[0] = {.tangent = -pi / 9, .curvature = curvature};
+    input.options[1] = {.tangent = 2 * pi / 9};
+    const Fit fit = scheme("intrinsic")->fit(input);
+    CHECK((fit.report.outcome != Outcome::converged || fit.report.residual <= 1e-10));
+  }
 }
 
 TEST_CASE("intrinsic scheme: a span depends on rounds + 3 points on each side") {

@@ -117,8 +117,7 @@ TEST_CASE("B-spline basis: what is ill-formed is said in one line") {
 }
 
 TEST_CASE("intrinsic segment: the fixture") {
-  const IntrinsicSegment segment(
-      {{0, 0}, 0, 0.5, 3, {0, 0, 0, 1.0 / 3, 2.0 / 3, 1, 1, 1}, {0.3, 0.7, 1.1, 2, 2.5, 4}});
+  const IntrinsicSegment segment({{0, 0}, 0, 0.5, 3, {0, 0, 0, 1.0 / 3, 2.0 / 3, 1, 1, 1}, {0.3, 0.7, 1.1, 2, 2.5, 4}});
   const Jet end = segment.jet(1.0, 2);
   CHECK(end.position().x() == Approx(0.4655339354168183).epsilon(1e-15));
   CHECK(end.position().y() == Approx(0.140098949466284).epsilon(1e-14));
@@ -195,7 +194,9 @@ TEST_CASE("intrinsic segment: inflections and extrema are those of the spline") 
 TEST_CASE("intrinsic segment: bad forms are refused") {
   const IntrinsicForm good{{0, 0}, 0, 1, 2, {0, 0, 0.5, 1, 1}, {1, 2, 3, 4}};
   CHECK_NOTHROW(IntrinsicSegment(good));
-  const auto refused = [](IntrinsicForm form) { CHECK_THROWS_AS(IntrinsicSegment(std::move(form)), std::invalid_argument); };
+  const auto refused = [](IntrinsicForm form) {
+    CHECK_THROWS_AS(IntrinsicSegment(std::move(form)), std::invalid_argument);
+  };
   IntrinsicForm bad = good;
   bad.control_curvatures.pop_back();
   refused(bad);
