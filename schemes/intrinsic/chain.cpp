@@ -74,6 +74,12 @@ ClothoidEnds clothoid_of(const HermiteData& data) {
   return {solved.x / chord, solved.y / chord};
 }
 
+std::vector<ClothoidEnds> clothoids_of(const std::vector<HermiteData>& spans) {
+  std::vector<ClothoidEnds> ends(spans.size());
+  std::ranges::transform(spans, ends.begin(), clothoid_of);
+  return ends;
+}
+
 double joined(const ClothoidEnds& before, const ClothoidEnds& after) {
   if (before.rising() && !after.rising()) return std::max(before.end, after.start);
   if (!before.rising() && after.rising()) return std::min(before.end, after.start);
@@ -92,8 +98,7 @@ void relax_headings(const Input& input, std::vector<double>& headings, int round
   const std::size_t n = input.points.size();
   for (int round = 0; round < rounds; ++round) {
     const std::vector<HermiteData> spans = spans_with_headings(input, headings);
-    std::vector<ClothoidEnds> clothoids;
-    for (const HermiteData& span : spans) clothoids.push_back(clothoid_of(span));
+    const std::vector<ClothoidEnds> clothoids = clothoids_of(spans);
     for (std::size_t i = input.closed ? 0 : 1; i < (input.closed ? n : n - 1); ++i) {
       if (given_heading(input, i)) continue;
       const std::size_t before = (i + spans.size() - 1) % spans.size();
@@ -136,8 +141,7 @@ void finish_start(HermiteData& span, bool heading_given) {
 }  // namespace
 
 void estimate_curvatures(const Input& input, std::vector<HermiteData>& spans, CurvatureRule rule) {
-  std::vector<ClothoidEnds> clothoids;
-  for (const HermiteData& span : spans) clothoids.push_back(clothoid_of(span));
+  const std::vector<ClothoidEnds> clothoids = clothoids_of(spans);
   const std::size_t n = spans.size();
   const bool closed = input.closed;
   const auto at_point = [&](std::size_t i) {
