@@ -59,7 +59,10 @@ RuleTable::RuleTable(const AngleTable& table, const ControlRule& rule)
       fixed_total(table.totals.dot(rule.fixed)),
       first_moment((weights * first).sum()),
       last_moment((weights * last).sum()),
-      fixed_moment((weights * fixed).sum()) {}
+      fixed_moment((weights * fixed).sum()),
+      second_moments{(weights * first * first).sum(), (weights * first * last).sum(), (weights * last * last).sum()},
+      third_moments{(weights * first * first * first).sum(), (weights * first * first * last).sum(),
+                    (weights * first * last * last).sum(), (weights * last * last * last).sum()} {}
 
 int panels_for(const BSplineBasis& basis, double turning) {
   return 1 + static_cast<int>(0.25 * (basis.degree + 1) * turning);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "schemes/intrinsic/controls.hpp"
 #include "schemes/segments/bspline.hpp"
@@ -28,6 +29,8 @@ struct RuleTable {
   Eigen::ArrayXd weights, first, last, fixed;
   double first_total, last_total, fixed_total;     ///< at the end
   double first_moment, last_moment, fixed_moment;  ///< integrated over [0, 1]
+  std::array<double, 3> second_moments;            ///< integrals of first^2, first last, last^2
+  std::array<double, 4> third_moments;             ///< of first^3, first^2 last, first last^2, last^3
 };
 
 }  // namespace kappabench::intrinsic

@@ -1,6 +1,7 @@
 #include "schemes/intrinsic/fixed_knots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ FixedKnots::FixedKnots(const BSplineBasis& basis, ControlRule rule)
     : basis_(basis),
       rule_(std::move(rule)),
       coarse_(angle_table(basis, 1), rule_),
-      fine_(angle_table(basis, 4), rule_) {
+      fine_(angle_table(basis, 2), rule_) {
   const std::vector<double> integrals = basis_integrals(basis);
   integrals_ = Eigen::Map<const Eigen::VectorXd>(integrals.data(), basis.size());
 }
@@ -35,6 +36,21 @@ Eigen::Vector2d FixedKnots::linearised(const StandardData& data) const {
   const double det = m.determinant();
   return Eigen::Vector2d(m(1, 1) * want[0] - m(0, 1) * want[1], m(0, 0) * want[1] - m(1, 0) * want[0]) / det;
 }
+
+namespace {
+
+/// The linearised x with its first correction: the integral of the sine is that of angle - angle^3 / 6.
+double first_guess(const RuleTable& rule, const Eigen::Vector2d& linear, double chord_angle, double ratio) {
+  const double x = linear[0], y = linear[1], e = chord_angle;
+  const std::array<double, 4>& m3 = rule.third_moments;
+  const std::array<double, 3>& m2 = rule.second_moments;
+  const double cubes = x * x * x * m3[0] + 3.0 * x * y * (x * m3[1] + y * m3[2]) + y * y * y * m3[3] -
+                       3.0 * e * (x * x * m2[0] + 2.0 * x * y * m2[1] + y * y * m2[2]) +
+                       3.0 * e * e * (x * rule.first_moment + y * rule.last_moment) - e * e * e;
+  return x + cubes / 6.0 / (rule.first_moment - ratio * rule.last_moment);
+}
+
+}  // namespace
 
 Solved FixedKnots::solve_free(const RuleTable& rule, const StandardData& data, const Solved* near) const {
   const double chord_angle = data.chord_angle, turning = data.turning;
@@ -56,7 +72,7 @@ Solved FixedKnots::solve_free(const RuleTable& rule, const StandardData& data, c
     }
     return end;
   };
-  const double start = linearised(data)[0];
+  const double start = first_guess(rule, linearised(data), chord_angle, ratio);
   Solved solved{start, 0.0, 1.0, 0, HUGE_VAL, false};
 
   // Newton at a share `scale` of the angles; true if it ends on a curve that runs forwards.
@@ -125,14 +141,14 @@ Solved FixedKnots::solve_fixed(const RuleTable& rule, const StandardData& data, 
   const double least = tolerance * std::max(1.0, 0.25 * size);
   const auto solve_at = [&](double share, const Eigen::Vector3d& guess) {
     const auto equations = [&](const Eigen::Vector3d& u) { return fixed_equations(rule, data, share, u); };
-    return newton(equations, guess, {4.0 * size, 4.0 * size, 0.7}, least);
+    return newton(equations, guess, {4.0 * size, 4.0 * size, 0.7}, least, 15);
   };
   NewtonResult result =
       near ? solve_at(1.0, {near->x, near->y, std::log(near->length)}) : solve_at(1.0, {start[0], start[1], 0.0});
   if (!result.converged) {
     const int spent = result.iterations;
     // All that is given grows from zero, where the linearised problem is the problem.
-    result = follow(solve_at, Eigen::Vector3d::Zero(), 0.1, 1e-5);
+    result = follow(solve_at, Eigen::Vector3d::Zero(), 0.1, 1e-3);
     result.iterations += spent;
   }
   return {result.x[0], result.x[1], std::exp(result.x[2]), result.iterations, result.residual, result.converged};
@@ -148,9 +164,11 @@ Solved FixedKnots::solve(const StandardData& data) const {
   };
   const Solved rough = solve_with(coarse_, nullptr);
   const double turning = absolute_turning(rough);
-  if (!(turning > ordinary_turning && turning < too_much_turning)) return rough;
+  const bool trusted = turning <= ordinary_turning || turning >= too_much_turning;
+  if (rough.converged && trusted) return rough;
+  const bool ordinary_panels = !rough.converged || turning <= much_turning;
   const Solved* const near = rough.converged ? &rough : nullptr;
-  Solved solved = turning <= much_turning
+  Solved solved = ordinary_panels
                       ? solve_with(fine_, near)
                       : solve_with(RuleTable(angle_table(basis_, panels_for(basis_, turning)), rule_), near);
   solved.iterations += rough.iterations;

@@ -1,96 +1,92 @@
 #include "schemes/intrinsic/sampling.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace kappabench::intrinsic {
 
 namespace {
 
-constexpr std::size_t most_coefficients = 11;
-
-/// The angle on a knot span: power coefficients over t - from.
-struct AngleSpan {
-  double from, to;
-  std::array<double, most_coefficients> power;
-};
-
-/// From Bernstein to power coefficients by forward differences.
-void to_powers(std::array<double, most_coefficients>& c, int degree, double width) {
-  double binomial = 1.0, scale = 1.0;
-  for (int k = 0; k <= degree; ++k) {
-    for (int i = degree; i > k; --i) c[static_cast<std::size_t>(i)] -= c[static_cast<std::size_t>(i) - 1];
-    c[static_cast<std::size_t>(k)] *= binomial * scale;
-    binomial = binomial * (degree - k) / (k + 1);
-    scale /= width;
+/// From the Bernstein coefficients of the curvature on a span to the powers of the angle: row k is that of x^k.
+Eigen::MatrixXd angle_powers(int degree, double width) {
+  // Bernstein coefficients of the angle are running sums, its powers their forward differences.
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(degree + 2, degree + 1);
+  for (int i = 0; i <= degree; ++i) {
+    rows.row(i + 1) = rows.row(i);
+    rows(i + 1, i) += width / (degree + 1);
   }
-}
-
-std::vector<AngleSpan> angle_spans(const StandardCurve& curve, double start) {
-  const int n = curve.basis.degree;
-  std::vector<AngleSpan> result;
-  for (const KnotSpan& span : spans_of(curve.basis)) {
-    const Eigen::VectorXd curvature =
-        span.to_bernstein * Eigen::Map<const Eigen::VectorXd>(curve.controls.data() + span.first, n + 1);
-    AngleSpan angle{span.from, span.to, {}};
-    angle.power[0] = start;
-    for (int i = 0; i <= n; ++i)
-      angle.power[static_cast<std::size_t>(i) + 1] = start += curve.length * span.width() * curvature[i] / (n + 1);
-    to_powers(angle.power, n + 1, span.width());
-    result.push_back(angle);
+  double factor = 1.0;
+  for (int k = 0; k <= degree + 1; ++k) {
+    for (int i = degree + 1; i > k; --i) rows.row(i) -= rows.row(i - 1).eval();
+    rows.row(k) *= factor;
+    factor *= (degree + 1.0 - k) / ((k + 1.0) * width);
   }
-  return result;
+  return rows;
 }
 
 }  // namespace
 
-std::vector<Vec2> sample_points(const StandardCurve& curve, double chord_angle, int count, Sines sines) {
-  using Eigen::ArrayXd;
-  const std::vector<AngleSpan> spans = angle_spans(curve, -chord_angle);
-  const int degree = curve.basis.degree + 1;
+Sampler::Sampler(const BSplineBasis& basis, int count) : count_(count) {
   const auto parameter = [&](int k) { return k + 1 == count ? 1.0 : static_cast<double>(k) / (count - 1); };
-
-  std::vector<Vec2> points(static_cast<std::size_t>(count));
-  const Eigen::Index most_nodes = count + 2;
-  ArrayXd x(most_nodes), angle(most_nodes), rate(most_nodes), sine(most_nodes), cosine(most_nodes);
-  Vec2 position = Vec2::Zero();
   int sample = 0;
-  for (const AngleSpan& span : spans) {
-    // The nodes of a span are its ends and the samples between them, relative to its start.
-    const int first_sample = sample;
-    Eigen::Index n = 0, first_node = 0;
-    x[n++] = 0.0;
-    if (parameter(sample) != span.from)
-      first_node = 1;
-    else
-      ++sample;
-    for (; sample < count && parameter(sample) <= span.to; ++sample) x[n++] = parameter(sample) - span.from;
-    if (x[n - 1] != span.to - span.from) x[n++] = span.to - span.from;
+  for (const KnotSpan& knots : spans_of(basis)) {
+    Span span{.first_control = knots.first,
+              .to_powers = angle_powers(basis.degree, knots.width()) * knots.to_bernstein,
+              .x = {},
+              .half_step = {},
+              .correction = {},
+              .first_sample = sample,
+              .samples = 0,
+              .first_sampled_node = parameter(sample) == knots.from ? 0 : 1};
+    std::vector<double> x;
+    if (span.first_sampled_node == 1) x.push_back(0.0);
+    for (; sample < count && parameter(sample) <= knots.to; ++sample) x.push_back(parameter(sample) - knots.from);
+    span.samples = sample - span.first_sample;
+    if (x.back() != knots.width()) x.push_back(knots.width());
+    // A sample at a knot ends this span and starts the next one, too.
+    if (sample > 0 && sample < count && parameter(sample - 1) == knots.to) --sample, --span.samples;
+    span.x = Eigen::Map<const Eigen::ArrayXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+    const Eigen::ArrayXd h = span.x.tail(span.x.size() - 1) - span.x.head(span.x.size() - 1);
+    span.half_step = 0.5 * h;
+    span.correction = h * h / 12.0;
+    spans_.push_back(std::move(span));
+  }
+}
 
-    const auto xs = x.head(n);
+std::vector<Vec2> Sampler::points(const StandardCurve& curve, double chord_angle, Sines sines) const {
+  using Eigen::ArrayXd;
+  std::vector<Vec2> points(static_cast<std::size_t>(count_));
+  const Eigen::Index most = count_ + 2;
+  ArrayXd angle(most), rate(most), sine(most), cosine(most), dx(most), dy(most);
+  Vec2 position = Vec2::Zero();
+  double start = -chord_angle;
+  for (const Span& span : spans_) {
+    const Eigen::Index n = span.x.size(), degree = span.to_powers.rows() - 1;
+    const Eigen::VectorXd power =
+        curve.length *
+        (span.to_powers * Eigen::Map<const Eigen::VectorXd>(curve.controls.data() + span.first_control, degree));
     auto angles = angle.head(n), rates = rate.head(n);
-    angles.setConstant(span.power[static_cast<std::size_t>(degree)]);
+    angles.setConstant(power[degree]);
     rates.setZero();
-    for (int i = degree; i-- > 0;) {
-      rates = rates * xs + angles;
-      angles = angles * xs + span.power[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = degree; i-- > 0;) {
+      rates = rates * span.x + angles;
+      angles = angles * span.x + (i == 0 ? start : power[i]);
     }
+    start = angles[n - 1];
     const auto size = static_cast<std::size_t>(n);
     sine_cosine(sines, {angle.data(), size}, {sine.data(), size}, {cosine.data(), size});
 
     // Euler-Maclaurin: the trapezium rule and its first correction, by the derivative rate * (-sine, cosine).
-    const auto h = (xs.tail(n - 1) - xs.head(n - 1)) * curve.length;
-    const auto correction = h * (xs.tail(n - 1) - xs.head(n - 1)) / 12.0;
     const auto s0 = sine.head(n - 1), s1 = sine.segment(1, n - 1);
     const auto c0 = cosine.head(n - 1), c1 = cosine.segment(1, n - 1);
     const auto r0 = rate.head(n - 1), r1 = rate.segment(1, n - 1);
-    const ArrayXd dx = 0.5 * h * (c0 + c1) + correction * (r1 * s1 - r0 * s0);
-    const ArrayXd dy = 0.5 * h * (s0 + s1) - correction * (r1 * c1 - r0 * c0);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      if (i > 0) position += Vec2(dx[i - 1], dy[i - 1]);
-      const Eigen::Index k = first_sample + i - first_node;
-      if (i >= first_node && k < sample) points[static_cast<std::size_t>(k)] = position;
+    dx.head(n - 1) = curve.length * (span.half_step * (c0 + c1) + span.correction * (r1 * s1 - r0 * s0));
+    dy.head(n - 1) = curve.length * (span.half_step * (s0 + s1) - span.correction * (r1 * c1 - r0 * c0));
+    Vec2* const sampled = points.data() + span.first_sample - span.first_sampled_node;
+    if (span.first_sampled_node == 0) sampled[0] = position;
+    const Eigen::Index last_sampled = span.first_sampled_node + span.samples;
+    for (Eigen::Index i = 1; i < n; ++i) {
+      position += Vec2(dx[i - 1], dy[i - 1]);
+      if (i < last_sampled) sampled[i] = position;
     }
   }
   return points;

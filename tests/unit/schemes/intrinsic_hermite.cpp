@@ -396,7 +396,7 @@ TEST_CASE("intrinsic: sampled points are the segment's, and the error falls with
     const IntrinsicSegment segment(placed(curve, {{{0, 0}, -data.chord_angle, {}}, {{1, 0}, 0.0, {}}}));
     for (const Sines sines : {Sines::library, Sines::vectorised}) {
       const auto error = [&](int count) {
-        const std::vector<Vec2> points = sample_points(curve, data.chord_angle, count, sines);
+        const std::vector<Vec2> points = Sampler(curve.basis, count).points(curve, data.chord_angle, sines);
         REQUIRE(points.size() == static_cast<std::size_t>(count));
         double worst = 0.0;
         for (int k = 0; k < count; ++k)
