@@ -24,6 +24,13 @@
 #include "experiments/fpc_loop_size.hpp"
 #include "experiments/fpc_loops.hpp"
 #include "experiments/fpc_point_economy.hpp"
+#include "experiments/intrinsic_control.hpp"
+#include "experiments/intrinsic_example.hpp"
+#include "experiments/intrinsic_g1.hpp"
+#include "experiments/intrinsic_g1_to_g2.hpp"
+#include "experiments/intrinsic_g2.hpp"
+#include "experiments/intrinsic_timing.hpp"
+#include "experiments/intrinsic_viable_region.hpp"
 #include "experiments/pkappa_comparison.hpp"
 #include "experiments/pkappa_construction.hpp"
 #include "experiments/pkappa_continuity.hpp"
@@ -67,6 +74,13 @@ std::span<const Experiment> all_experiments() {
                                                    pkappa_locality_experiment(),
                                                    pkappa_order_and_symmetry_experiment(),
                                                    pkappa_solvers_experiment(),
+                                                   intrinsic_example_experiment(),
+                                                   intrinsic_timing_experiment(),
+                                                   intrinsic_g1_experiment(),
+                                                   intrinsic_viable_region_experiment(),
+                                                   intrinsic_g2_experiment(),
+                                                   intrinsic_control_experiment(),
+                                                   intrinsic_g1_to_g2_experiment(),
                                                    compare_experiment(),
                                                    scaling_experiment()};
   return experiments;
