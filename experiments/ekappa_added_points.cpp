@@ -24,8 +24,7 @@ namespace {
 
 constexpr std::string_view about =
     "The only handle on the size of a curvature peak of a κ-curve is to add points beside it. Drawn as in the paper, "
-    "with "
-    "the points added by hand, and repeated at points of all drawings with a simple rule: beside the point on its "
+    "with the points added by hand, and repeated at points of all drawings with a simple rule: beside the point on its "
     "chords, to sharpen, or on the parallel to the chord of its neighbours, to flatten.";
 
 /// Fig. 2 (a), (b), (c): sharper, as it is, flatter; all meet point 0.
@@ -144,9 +143,8 @@ store::TableRecord rule_table(const store::ExperimentRecord& record) {
   TableBuilder builder(
       "rule", "Two points added by a rule at points of all drawings",
       "|κ| of the κ-curve at the point, with over without the added points; up to eight points of curves of at most "
-      "100. "
-      "Sharpen: 20 % of the way along both chords. Flatten: a quarter of the chord of the neighbours to "
-      "either side, parallel to it.");
+      "100. Sharpen: 20 % of the way along both chords. Flatten: a quarter of the chord of the neighbours to either "
+      "side, parallel to it.");
   builder.words("added to").counts("cases").counts("larger |κ|").counts("not larger").numbers("median ratio");
   for (const auto& [words, column] : {std::pair("sharpen", "sharpened"), std::pair("flatten", "flattened")}) {
     const Ratios found = ratios(record, column);

@@ -210,10 +210,8 @@ std::optional<store::FigureRecord> curves_figure(const store::ExperimentRecord& 
                              .columns = static_cast<int>(figure_shapes.size())};
   figure.caption =
       "Top: the κ-curve and εκ-curves with their curvature combs, to one scale. Bottom: close-ups at the inflection "
-      "with "
-      "the largest jump (the frame above), combs six times as long. The comb changes sides at the joint; the step is "
-      "the "
-      "G2 error, and shrinks as a grows.";
+      "with the largest jump (the frame above), combs six times as long. The comb changes sides at the joint; the step "
+      "is the G2 error, and shrinks as a grows.";
   std::vector<store::PanelRecord> close_ups;
   std::optional<std::pair<double, double>> place;
   for (const Shape& shape : figure_shapes) {

@@ -20,13 +20,12 @@ namespace {
 
 constexpr std::string_view about =
     "The paper gives times for drawing its bear: 0.07 s with kappa-curves, 0.08 s with the cubic basis, 0.37 s with "
-    "the "
-    "trigonometric one, on a machine and with a number of samples that it does not name. Here a bear drawn for this "
-    "program is fitted, and fitted and drawn (100 positions a segment), by each basis with the published iteration at "
-    "its usual 50 steps and with the Newton cascade. All are timed in one process, samples in random order, by Google "
-    "Benchmark, in processor time; only ratios to the kappa-curve's median are compared. When several cells run at "
-    "once, or the machine "
-    "is busy, the samples scatter more: the interval of each ratio (95 %, bootstrap over the samples) shows it.";
+    "the trigonometric one, on a machine and with a number of samples that it does not name. Here a bear drawn for "
+    "this program is fitted, and fitted and drawn (100 positions a segment), by each basis with the published "
+    "iteration at its usual 50 steps and with the Newton cascade. All are timed in one process, samples in random "
+    "order, by Google Benchmark, in processor time; only ratios to the kappa-curve's median are compared. When several "
+    "cells run at once, or the machine is busy, the samples scatter more: the interval of each ratio (95 %, bootstrap "
+    "over the samples) shows it.";
 
 constexpr int version = 1;
 constexpr int positions_per_segment = 100;

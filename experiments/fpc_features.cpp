@@ -21,9 +21,8 @@ namespace {
 constexpr std::string_view about =
     "The promise of FPC-curves: cusps and local loops only at points of that type, inflections only at such points and "
     "at joints, and every typed point what it is called. Checked on random typed inputs of six families, each with 4 "
-    "to "
-    "12 points, open or closed, all types equally likely: cusps, sign changes of the curvature and self-crossings of "
-    "every segment are isolated on the exact cubics. Counterexamples are drawn; without any, the first inputs are.";
+    "to 12 points, open or closed, all types equally likely: cusps, sign changes of the curvature and self-crossings "
+    "of every segment are isolated on the exact cubics. Counterexamples are drawn; without any, the first inputs are.";
 
 constexpr int version = 1;
 constexpr int inputs = 400;

@@ -23,11 +23,10 @@ namespace {
 constexpr std::string_view about =
     "At an inflection, h is half the distance to the second root of the curvature's numerator. Drawn for the three "
     "values of Fig. 6. On random typed inputs, one inflection at a time gets other values: do h = 0.5 and -0.5 bend it "
-    "opposite ways, and does a large |h| (its sign by the rule) stretch it? A segment has no solution at "
-    "h = t(1 - t) / (2(2t - 1)), which lies in the range that the paper allows; and there are lambdas at which the "
-    "linear system for the joints is singular. What the rule for the sign of h is worth is measured on closed curves "
-    "of "
-    "inflections, with h = 0.5 throughout and with the sign by rule.";
+    "opposite ways, and does a large |h| (its sign by the rule) stretch it? A segment has no solution at h = t(1 - t) "
+    "/ (2(2t - 1)), which lies in the range that the paper allows; and there are lambdas at which the linear system "
+    "for the joints is singular. What the rule for the sign of h is worth is measured on closed curves of inflections, "
+    "with h = 0.5 throughout and with the sign by rule.";
 
 constexpr int version = 1;
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> shown{
@@ -202,8 +201,7 @@ void conclude(const Context&, store::ExperimentRecord& record) {
   if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
   const std::string how = fmt::format(
       "The first inflection of {:.0f} random typed inputs, all else unchanged; inputs that are not solved for all "
-      "values "
-      "are left out.",
+      "values are left out.",
       sum(record, "inflections"));
   record.claims = {
       general_claim(record, "h-sign", "bends the other way",

@@ -21,10 +21,9 @@ namespace {
 
 constexpr std::string_view about =
     "One point of a closed curve is moved in opposite directions, as in Fig. 10, and the three curves are drawn over "
-    "one "
-    "another. On the typed drawings and random typed inputs every point is moved by 5 % of the mean chord in eight "
-    "directions; for every span "
-    "between two points the largest deviation over the displacement is kept, by distance from the moved point.";
+    "one another. On the typed drawings and random typed inputs every point is moved by 5 % of the mean chord in eight "
+    "directions; for every span between two points the largest deviation over the displacement is kept, by distance "
+    "from the moved point.";
 
 constexpr int version = 1;
 constexpr std::string_view shown = "blob-12";

@@ -13,6 +13,7 @@
 
 #include "datasets/key_values.hpp"
 #include "experiments/record.hpp"
+#include "experiments/summaries.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench::yoshida {
@@ -236,6 +237,19 @@ void add_curvature_panel(store::FigureRecord& figure, const store::ExperimentRec
   if (!cell) return;
   figure.panels.push_back({.kind = "curvature", .title = std::move(title), .cells = {*cell}});
   if (const auto controls = controls_of(record, dataset)) figure.panels.back().cells.push_back(*controls);
+}
+
+store::TableRecord drawn_table(const store::ExperimentRecord& record) {
+  TableBuilder builder("drawn", "The curves of the figure", "Curvature times the chord, length over the chord.");
+  builder.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
+  builder.numbers("curvature at the start").numbers("at the end");
+  for (const store::CellRecord& cell : record.cells) {
+    if (cell.curves.empty() || cell.label == controls_label || cell.curves[0].sample_s.empty()) continue;
+    const store::CurveRecord& curve = cell.curves[0];
+    builder.row({cell.dataset, curve.outcome, static_cast<double>(curve.iterations), curve.residual,
+                 curve.sample_s.back(), curve.sample_kappa.front(), curve.sample_kappa.back()});
+  }
+  return builder.table();
 }
 
 }  // namespace kappabench::yoshida

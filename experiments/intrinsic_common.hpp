@@ -84,4 +84,7 @@ void add_curve_panel(store::FigureRecord& figure, const store::ExperimentRecord&
 void add_curvature_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
                          std::string title);
 
+/// A row for every drawn curve of one segment: outcome, steps, gap, length over chord, end curvatures times the chord.
+[[nodiscard]] store::TableRecord drawn_table(const store::ExperimentRecord& record);
+
 }  // namespace kappabench::yoshida

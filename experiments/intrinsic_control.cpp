@@ -25,8 +25,7 @@ namespace {
 
 constexpr std::string_view about =
     "A G1 curve with six control curvatures. The fourth is moved, then the fifth; the first and the last are solved "
-    "for "
-    "again, so that the curve still meets both points and tangents. The paper does not say whether the other inner "
+    "for again, so that the curve still meets both points and tangents. The paper does not say whether the other inner "
     "controls stay or follow the ends again (Eqs. (10) and (11)): both are drawn. Then every inner control of random "
     "curves (the paper's angles) is moved by more and more, up and down, until curvature has an extremum, another "
     "inflection, or there is no solution. Moves are given over the largest control curvature before.";
@@ -175,19 +174,6 @@ store::TableRecord move_table(const store::ExperimentRecord& record) {
         builder.row({std::string(words), std::string(what.substr(0, what.find(" from"))), sweeps, found.sweeps,
                      found.smallest_size, found.median_size});
     }
-  return builder.table();
-}
-
-store::TableRecord drawn_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("drawn", "The curves of the figure", "Curvature times the chord, length over the chord.");
-  builder.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
-  builder.numbers("curvature at the start").numbers("at the end");
-  for (const store::CellRecord& cell : record.cells) {
-    if (cell.curves.empty() || cell.label == controls_label || cell.curves[0].sample_s.empty()) continue;
-    const store::CurveRecord& curve = cell.curves[0];
-    builder.row({cell.dataset, curve.outcome, static_cast<double>(curve.iterations), curve.residual,
-                 curve.sample_s.back(), curve.sample_kappa.front(), curve.sample_kappa.back()});
-  }
   return builder.table();
 }
 

@@ -25,8 +25,7 @@ constexpr std::string_view about =
     "The cubic B-spline of Fig. 1: knots [0, 0, 0, 1/2, 1, 1, 1] and five control curvatures (the paper prints none; a "
     "stand-in), the seven Bezier control curvatures after knot insertion, and the curve. Then the closed forms for the "
     "angle: Eq. (5) for the whole, and Eq. (7) for the angle at any arc length, as printed (n of n + 1 coefficients "
-    "are "
-    "summed, and widths in the original parameter are multiplied by the arc length so far) and corrected, against "
+    "are summed, and widths in the original parameter are multiplied by the arc length so far) and corrected, against "
     "Gauss quadrature of the B-spline by de Boor's recurrence, on random splines and arc lengths.";
 
 constexpr int version = 1;

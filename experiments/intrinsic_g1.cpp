@@ -203,12 +203,6 @@ std::vector<CellJob> jobs(const Context& context) {
   return jobs;
 }
 
-double sum(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset = {}) {
-  double total = 0.0;
-  for (const double value : study::values(record, column, dataset)) total += value;
-  return total;
-}
-
 store::TableRecord table(const store::ExperimentRecord& record) {
   TableBuilder builder("conditions", "Random G1 conditions",
                        "Every condition with p = -1, -0.5, 0, 0.5, 1 and six control curvatures. Gap: how far the end "
@@ -219,10 +213,11 @@ store::TableRecord table(const store::ExperimentRecord& record) {
   for (const Angles angles : {Angles::ordinary, Angles::any}) {
     const std::string_view dataset = name(angles);
     if (study::values(record, "fits", dataset).empty()) continue;
-    builder.row({std::string(dataset), sum(record, "conditions", dataset), sum(record, "fits", dataset),
-                 sum(record, "solved", dataset), sum(record, "not monotone", dataset),
-                 sum(record, "inflected", dataset), largest(study::values(record, "largest gap", dataset)),
-                 sum(record, "level fits", dataset), largest(study::values(record, "largest end slope", dataset))});
+    builder.row({std::string(dataset), study::total(record, "conditions", dataset),
+                 study::total(record, "fits", dataset), study::total(record, "solved", dataset),
+                 study::total(record, "not monotone", dataset), study::total(record, "inflected", dataset),
+                 largest(study::values(record, "largest gap", dataset)), study::total(record, "level fits", dataset),
+                 largest(study::values(record, "largest end slope", dataset))});
   }
   return builder.table();
 }
@@ -235,19 +230,6 @@ store::TableRecord failure_table(const store::ExperimentRecord& record) {
                        fmt::format("{} in all; at most {} are listed. Radians, and chords.", angle.size(), most));
   builder.numbers("theta_e").numbers("theta_d").numbers("p").numbers("gap");
   for (std::size_t i = 0; i < std::min(angle.size(), most); ++i) builder.row({angle[i], turning[i], p[i], missed[i]});
-  return builder.table();
-}
-
-store::TableRecord drawn_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("drawn", "The curves of the figure", "Length over chord; the ends' curvature times the chord.");
-  builder.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
-  builder.numbers("curvature at the start").numbers("at the end");
-  for (const store::CellRecord& cell : record.cells) {
-    if (cell.curves.empty() || cell.label == controls_label || cell.curves[0].sample_s.empty()) continue;
-    const store::CurveRecord& curve = cell.curves[0];
-    builder.row({cell.dataset, curve.outcome, static_cast<double>(curve.iterations), curve.residual,
-                 curve.sample_s.back(), curve.sample_kappa.front(), curve.sample_kappa.back()});
-  }
   return builder.table();
 }
 
@@ -269,35 +251,36 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
 }
 
 store::ClaimRecord monotone_claim(const store::ExperimentRecord& record) {
-  const double solved = sum(record, "solved"), wrong = sum(record, "not monotone");
+  const double solved = study::total(record, "solved"), wrong = study::total(record, "not monotone");
   return claim("monotone-for-p", study::verdict_for_all(wrong, solved),
                fmt::format("{} monotone", study::share(solved - wrong, solved)),
                fmt::format("{:.0f} random conditions with five values of p each, {} solved; the curvature function is "
                            "checked span by span.",
-                           sum(record, "conditions"), study::share(solved, sum(record, "fits"))));
+                           study::total(record, "conditions"), study::share(solved, study::total(record, "fits"))));
 }
 
 store::ClaimRecord inflection_claim(const store::ExperimentRecord& record) {
-  const double inflected = sum(record, "inflected", name(Angles::ordinary)),
-               solved = sum(record, "solved", name(Angles::ordinary));
+  const double inflected = study::total(record, "inflected", name(Angles::ordinary)),
+               solved = study::total(record, "solved", name(Angles::ordinary));
   return claim("inflection-may-appear", inflected > 0.0 ? "reproduced" : "not reproduced",
                fmt::format("{} have one", study::share(inflected, solved)),
                "Curves for the paper's angles, whose ends both turn left.");
 }
 
 store::ClaimRecord level_claim(const store::ExperimentRecord& record) {
-  const double cases = sum(record, "level fits"), level = sum(record, "level ends");
+  const double cases = study::total(record, "level fits"), level = study::total(record, "level ends");
   return claim(
       "level-ends", study::verdict_for_all(cases - level, cases),
       fmt::format("{} have d kappa/ds = 0 at both ends", study::share(level, cases)),
       fmt::format("At most {:.2g} of the largest slope of curvature (or the largest curvature over the chord), from "
                   "the curve's third derivative. {} "
                   "conditions have a solution with four controls tied in pairs.",
-                  largest(study::values(record, "largest end slope")), study::share(cases, sum(record, "conditions"))));
+                  largest(study::values(record, "largest end slope")),
+                  study::share(cases, study::total(record, "conditions"))));
 }
 
 store::ClaimRecord shape_claim(const store::ExperimentRecord& record) {
-  const double reshaped = sum(record, "reshaped"), cases = sum(record, "conditions");
+  const double reshaped = study::total(record, "reshaped"), cases = study::total(record, "conditions");
   return claim("p-changes-shape", study::verdict_in_general(reshaped, cases),
                fmt::format("{} move by more than 1e-3 chords", study::share(reshaped, cases)),
                "The smaller of the largest distances of the curves with p = -1 and p = 1 from that with p = 0; a curve "
@@ -305,15 +288,17 @@ store::ClaimRecord shape_claim(const store::ExperimentRecord& record) {
 }
 
 store::ClaimRecord length_claim(const store::ExperimentRecord& record) {
-  const double parallel = sum(record, "parallel tangents"), by_formula = sum(record, "parallel tangents by Eq. (8)");
-  const double lengths = sum(record, "lengths"), agree = sum(record, "lengths by Eq. (8)");
+  const double parallel = study::total(record, "parallel tangents"),
+               by_formula = study::total(record, "parallel tangents by Eq. (8)");
+  const double lengths = study::total(record, "lengths"), agree = study::total(record, "lengths by Eq. (8)");
   return claim(
       "length-from-turning", study::verdict_for_all(parallel - by_formula + lengths - agree, parallel + lengths),
       fmt::format("with theta_d = 0: {}", study::share(by_formula, parallel)),
       fmt::format("Conditions with parallel tangents that the simplex solves with the length from Eq. (8), 0/0 "
                   "there; Newton's method on the dimensionless equations solves {}. For random conditions Eq. "
                   "(8) gives the length to 1e-9 in {}.",
-                  study::share(sum(record, "parallel tangents solved"), parallel), study::share(agree, lengths)));
+                  study::share(study::total(record, "parallel tangents solved"), parallel),
+                  study::share(agree, lengths)));
 }
 
 void conclude(const Context&, store::ExperimentRecord& record) {

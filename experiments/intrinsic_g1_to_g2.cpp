@@ -24,12 +24,10 @@ namespace {
 
 constexpr std::string_view about =
     "Chains of segments with six control curvatures each. With G1 data a segment knows its neighbours' tangents but "
-    "not "
-    "their curvatures, which jump at the joints. In the paper control curvatures at the joints are moved by hand until "
-    "the chain is G2; here each joint is given one curvature for both sides, and the second and the last but one "
-    "control of every segment are solved for. The tangents are given with the points (stand-ins; the paper prints "
-    "none), "
-    "so that both chains have the same. What it costs: extrema of curvature inside segments that had none.";
+    "not their curvatures, which jump at the joints. In the paper control curvatures at the joints are moved by hand "
+    "until the chain is G2; here each joint is given one curvature for both sides, and the second and the last but "
+    "one control of every segment are solved for. The tangents are given with the points (stand-ins; the paper prints "
+    "none), so that both chains have the same. What it costs: extrema of curvature inside segments that had none.";
 
 constexpr int version = 1;
 constexpr std::string_view before = "auto=false,continuity=g1", after = "auto=false,continuity=g2";
@@ -124,12 +122,6 @@ std::vector<std::string> datasets_of(const store::ExperimentRecord& record) {
   return names;
 }
 
-double sum(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset) {
-  double total = 0.0;
-  for (const double value : study::values(record, column, dataset)) total += value;
-  return total;
-}
-
 store::TableRecord table(const store::ExperimentRecord& record) {
   TableBuilder builder(
       "chains", "From G1 to G2",
@@ -141,9 +133,10 @@ store::TableRecord table(const store::ExperimentRecord& record) {
     std::vector<double> moves;
     for (int k = 1; k <= 6; ++k)
       std::ranges::copy(study::values(record, fmt::format("control {} moved", k), dataset), std::back_inserter(moves));
-    builder.row({dataset, sum(record, "segments", dataset), largest(study::values(record, "jump before", dataset)),
-                 largest(study::values(record, "jump after", dataset)), sum(record, "intervals before", dataset),
-                 sum(record, "intervals after", dataset), largest(moves), mean(moves)});
+    builder.row(
+        {dataset, study::total(record, "segments", dataset), largest(study::values(record, "jump before", dataset)),
+         largest(study::values(record, "jump after", dataset)), study::total(record, "intervals before", dataset),
+         study::total(record, "intervals after", dataset), largest(moves), mean(moves)});
   }
   return builder.table();
 }

@@ -25,12 +25,10 @@ constexpr std::string_view about =
     "Pairs of end curvatures for theta_e = pi/9, theta_d = pi/3, in place of the four of Fig. 8, which the paper marks "
     "but does not print: one high above the border, one at the side of the region, one just above the border, and one "
     "that the Bezier curvature function reaches. The automatic family solves each; so do, or do not, the fixed knots "
-    "of "
-    "Fig. 6. That the previous method, a Bezier curvature function with the ends' curvatures given, has no monotone "
+    "of Fig. 6. That the previous method, a Bezier curvature function with the ends' curvatures given, has no monotone "
     "curve at a pair is shown by trying all its rising control curvatures: none ends near the end point. Towards the "
     "border curvature becomes a step; how much of the length it needs to rise from 10 to 90 % of its range is given "
-    "for "
-    "data ever nearer to it.";
+    "for data ever nearer to it.";
 
 constexpr int version = 1;
 

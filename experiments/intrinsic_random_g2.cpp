@@ -18,14 +18,7 @@ namespace kappabench::yoshida {
 
 using namespace intrinsic;
 
-namespace {
-
-double sum(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset) {
-  const std::vector<double> all = study::values(record, column, dataset);
-  return std::accumulate(all.begin(), all.end(), 0.0);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void measure_kind(Kind kind, std::uint64_t seed, long from, long to, store::CellRecord& cell) {
   double solved = 0.0, rising = 0.0, iterations = 0.0, most_iterations = 0.0, largest_gap = 0.0;
@@ -76,10 +69,10 @@ store::TableRecord kind_table(const store::ExperimentRecord& record) {
   builder.words("data").counts("cases").counts("solved").counts("monotone").numbers("mean iterations");
   builder.counts("most iterations").numbers("largest gap");
   for (const Kind kind : all_kinds) {
-    const double cases = sum(record, "data", name(kind));
+    const double cases = study::total(record, "data", name(kind));
     if (!(cases > 0.0)) continue;
-    builder.row({std::string(name(kind)), cases, sum(record, "solved", name(kind)), sum(record, "monotone", name(kind)),
-                 sum(record, "iterations", name(kind)) / cases,
+    builder.row({std::string(name(kind)), cases, study::total(record, "solved", name(kind)),
+                 study::total(record, "monotone", name(kind)), study::total(record, "iterations", name(kind)) / cases,
                  largest(study::values(record, "most iterations", name(kind))),
                  largest(study::values(record, "largest gap", name(kind)))});
   }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "experiments/intrinsic_common.hpp"
@@ -30,8 +29,7 @@ constexpr std::string_view about =
     "counts as covered when the curve found has monotone curvature. Eq. (12) is taken as printed and with the factor "
     "kappa_s that its numerator lacks, which makes it the condition that the osculating circles at the ends nest. The "
     "independent check of that: no fixed family may find a monotone curve outside, and the ends of any curve with "
-    "rising "
-    "curvature must lie inside. The automatic family is tried on random data of eight kinds, too.";
+    "rising curvature must lie inside. The automatic family is tried on random data of eight kinds, too.";
 
 constexpr int version = 1;
 /// Unless the plan says otherwise.
@@ -114,11 +112,6 @@ std::vector<CellJob> jobs(const Context& context) {
 }
 
 // ---- conclusions
-
-double sum(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset = {}) {
-  const std::vector<double> all = study::values(record, column, dataset);
-  return std::accumulate(all.begin(), all.end(), 0.0);
-}
 
 const store::CellRecord* region_cell(const store::ExperimentRecord& record, const Window& window,
                                      std::string_view title) {
@@ -274,7 +267,8 @@ store::ClaimRecord region_claim(const store::ExperimentRecord& record) {
         corrected_without += curve ? 0.0 : 1.0;
       }
     }
-  const double outside = sum(record, "infeasible"), found_outside = sum(record, "infeasible with a monotone curve");
+  const double outside = study::total(record, "infeasible"),
+               found_outside = study::total(record, "infeasible with a monotone curve");
   return claim(
       "monotone-region", study::verdict_for_all(without, printed),
       fmt::format("no monotone curve at {} points of the grid that Eq. (12) admits", study::share(without, printed)),
@@ -283,17 +277,18 @@ store::ClaimRecord region_claim(const store::ExperimentRecord& record) {
           "region: {}. Random data outside it: a monotone curve by any fixed family for {:.0f} of {:.0f}, "
           "refused by the automatic one: {:.0f}.",
           study::share(corrected_without, corrected),
-          study::share(sum(record, "spirals inside"), sum(record, "spirals")), found_outside, outside,
-          sum(record, "infeasible refused")));
+          study::share(study::total(record, "spirals inside"), study::total(record, "spirals")), found_outside, outside,
+          study::total(record, "infeasible refused")));
 }
 
 store::ClaimRecord chord_claim(const store::ExperimentRecord& record) {
-  const double cases = sum(record, "spirals with chord 4"), divided = sum(record, "inside by division");
+  const double cases = study::total(record, "spirals with chord 4"),
+               divided = study::total(record, "inside by division");
   return claim("curvature-over-chord", study::verdict_for_all(cases - divided, cases),
                fmt::format("{} satisfy Eq. (12) with curvatures divided by the chord", study::share(divided, cases)),
                fmt::format("Curves of rising curvature with a chord of 4, by the corrected equation; with curvatures "
                            "times the chord it holds for {}.",
-                           study::share(sum(record, "inside by multiplication"), cases)));
+                           study::share(study::total(record, "inside by multiplication"), cases)));
 }
 
 store::ClaimRecord variety_claim(const store::ExperimentRecord& record) {
@@ -315,7 +310,7 @@ store::ClaimRecord variety_claim(const store::ExperimentRecord& record) {
 }
 
 store::ClaimRecord any_claim(const store::ExperimentRecord& record) {
-  double cases = sum(record, "data"), solved = sum(record, "monotone");
+  double cases = study::total(record, "data"), solved = study::total(record, "monotone");
   const double random = cases;
   for (const Window& window : windows()) {
     const Region region = coverage(record, window).automatic;

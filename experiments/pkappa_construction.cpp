@@ -21,9 +21,8 @@ namespace {
 constexpr std::string_view about =
     "What changes when a point is appended, when the curve is closed and when a point is moved. Segments are compared "
     "bit for bit with those before, and the changed ones are drawn in another colour (G2 curves). The same is counted "
-    "on random "
-    "curves, with windows made robust (mode=local, which widens a window where no good solution is found) and as "
-    "printed (mode=paper).";
+    "on random curves, with windows made robust (mode=local, which widens a window where no good solution is found) "
+    "and as printed (mode=paper).";
 
 constexpr int version = 1, curves = 10, points = 10;
 constexpr std::string_view initial = "before", kept = "unchanged", changed = "changed";

@@ -21,11 +21,9 @@ namespace {
 
 constexpr std::string_view about =
     "Does the order of insertion show? Random open curves are fitted forwards and backwards, and mirrored; random "
-    "points "
-    "that are symmetric about an axis are fitted, and the curve is compared with its own mirror image. Window by "
-    "window "
-    "(mode=local, after stage 1 and after stage 2) against the whole curve at once (mode=global). Deviations are the "
-    "largest distance of corresponding points over the mean chord.";
+    "points that are symmetric about an axis are fitted, and the curve is compared with its own mirror image. Window "
+    "by window (mode=local, after stage 1 and after stage 2) against the whole curve at once (mode=global). Deviations "
+    "are the largest distance of corresponding points over the mean chord.";
 
 struct Mode {
   std::string_view words, options;

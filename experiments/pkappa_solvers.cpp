@@ -23,9 +23,8 @@ constexpr std::string_view about =
     "random open C2 curves, stage 1 alone, with windows made robust and as printed: how many curves are solved, the "
     "energy that stage 1 minimises (summed over the final curve, in units of the mean chord), and processor time per "
     "inserted point. Each curve is fitted by all solvers one after the other in one process, so that a busy machine "
-    "hits "
-    "all of them; only ratios compare. After the first insertions the windows start from each solver's own curve. Then "
-    "both stages by Levenberg-Marquardt, window by window and the whole curve at once.";
+    "hits all of them; only ratios compare. After the first insertions the windows start from each solver's own curve. "
+    "Then both stages by Levenberg-Marquardt, window by window and the whole curve at once.";
 
 constexpr int version = 1, points = 10, curves = 6;
 /// Fits of the fast solvers are repeated, to be timed.

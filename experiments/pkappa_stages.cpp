@@ -17,12 +17,9 @@ namespace {
 
 constexpr std::string_view about =
     "Stage 1 minimises E_p with both other terms, stage 2 goes on from there: as printed with E_p alone (mode=paper, "
-    "at "
-    "most 10 iterations), by default with a tenth of the weights until it converges (mode=local). Shown for one "
-    "drawing "
-    "with combs and with curvature over t against the parabolas, then for random curves and for typical inputs, where "
-    "a "
-    "solution of the whole curve at once (mode=global) shows what the windows give away.";
+    "at most 10 iterations), by default with a tenth of the weights until it converges (mode=local). Shown for one "
+    "drawing with combs and with curvature over t against the parabolas, then for random curves and for typical "
+    "inputs, where a solution of the whole curve at once (mode=global) shows what the windows give away.";
 
 struct Stage {
   std::string_view words, options;

@@ -18,9 +18,8 @@ namespace {
 
 constexpr std::string_view about =
     "The smallest pκ-curve: three points, one quintic segment. Its curvature is drawn over t together with the "
-    "parabola "
-    "that it approximates, whose vertex is at the parameter of the middle point. Single segments through random "
-    "triples of points show how far the curvature falls on one side of the point and rises on the other, as the "
+    "parabola that it approximates, whose vertex is at the parameter of the middle point. Single segments through "
+    "random triples of points show how far the curvature falls on one side of the point and rises on the other, as the "
     "parabola does.";
 
 constexpr int version = 1, triples = 200, samples = 200;

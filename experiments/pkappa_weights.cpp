@@ -23,13 +23,10 @@ namespace {
 
 constexpr std::string_view about =
     "The eight pairs of weights of Table 1. First as in the paper, on one drawing. Then what the paper does not have: "
-    "on "
-    "random curves, with the change that a perturbation of the points by 1e-9 mean chords makes, and at several "
-    "scales, "
-    "because the energies have units (E_p 1/length, E_e length⁴, E_c length²) and the paper does not state its own. "
-    "The "
-    "windows are solved as printed (mode=paper): stage 2 drops both weights and is capped, here at 10 iterations; its "
-    "tolerance and cap are not printed either.";
+    "on random curves, with the change that a perturbation of the points by 1e-9 mean chords makes, and at several "
+    "scales, because the energies have units (E_p 1/length, E_e length⁴, E_c length²) and the paper does not state its "
+    "own. The windows are solved as printed (mode=paper): stage 2 drops both weights and is capped, here at 10 "
+    "iterations; its tolerance and cap are not printed either.";
 
 /// A column of Table 1.
 struct Pair {

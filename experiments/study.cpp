@@ -80,13 +80,9 @@ std::vector<double> values(const store::ExperimentRecord& record, std::string_vi
   return all;
 }
 
-std::vector<double> values(const store::ExperimentRecord& record, std::string_view column) {
-  return values(record, column, {});
-}
-
-double total(const store::ExperimentRecord& record, std::string_view column) {
+double total(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset) {
   double sum = 0.0;
-  for (const double value : values(record, column)) sum += value;
+  for (const double value : values(record, column, dataset)) sum += value;
   return sum;
 }
 

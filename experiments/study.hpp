@@ -31,11 +31,11 @@ namespace kappabench::study {
 /// Appends a measurement. A column may come several times: one value for each joint, point, curve, ...
 void put(store::CellRecord& cell, std::string column, double value, Method method = Method::exact);
 
-/// All values of a column over all cells, in order; their sum; those of cells of one drawing.
-[[nodiscard]] std::vector<double> values(const store::ExperimentRecord& record, std::string_view column);
+/// All values of a column over all cells, in order, or over those of one drawing; and their sum.
 [[nodiscard]] std::vector<double> values(const store::ExperimentRecord& record, std::string_view column,
-                                         std::string_view dataset);
-[[nodiscard]] double total(const store::ExperimentRecord& record, std::string_view column);
+                                         std::string_view dataset = {});
+[[nodiscard]] double total(const store::ExperimentRecord& record, std::string_view column,
+                           std::string_view dataset = {});
 
 /// Index of the drawn cell with this label, or nothing.
 [[nodiscard]] std::optional<int> drawn_cell(const store::ExperimentRecord& record, std::string_view dataset,
