@@ -208,7 +208,7 @@ SchemeInfo PkappaScheme::describe() {
                      .refit_is_fit = false}};
 }
 
-PkappaScheme::PkappaScheme(Parameters parameters) : Scheme(adapt(describe(), parameters), parameters) {
+PkappaScheme::PkappaScheme(const Parameters& parameters) : Scheme(adapt(describe(), parameters), parameters) {
   if (is_global(this->parameters()) && this->parameters().text("solver") != "lm")
     throw std::invalid_argument(
         "pkappa: mode=global has solver=lm only; the other solvers are for mode=local and paper");

@@ -8,7 +8,7 @@ namespace kappabench {
 class PkappaScheme final : public Scheme {
  public:
   static SchemeInfo describe();
-  explicit PkappaScheme(Parameters parameters);
+  explicit PkappaScheme(const Parameters& parameters);
 
  private:
   [[nodiscard]] Fit solve(const Input& input) const override;

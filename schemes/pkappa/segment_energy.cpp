@@ -176,7 +176,7 @@ void SegmentEnergy<Degree>::rows(const ControlPolygon<Degree>& control, double t
   this->residuals(control, t);
   differentiate(t);
   const Eigen::Index nodes = table_.rows();
-  residuals.setZero(nodes + Degree - 1 + 2 * Degree);
+  residuals.setZero(nodes + Degree - 1 + Eigen::Index{2} * Degree);
   jacobian.setZero(residuals.size(), size);
   const auto by_parabola = table_.template rightCols<2>();
   const Eigen::MatrixXd taken = parabola_gram_.inverse() * (by_parabola.transpose() * table_.template leftCols<size>());
@@ -192,7 +192,7 @@ void SegmentEnergy<Degree>::rows(const ControlPolygon<Degree>& control, double t
         2.0 * edge_root * (e.col(j) + e.col(j + 1)).transpose(), -2.0 * edge_root * e.col(j + 1).transpose();
   }
   for (int j = 0; j < Degree; ++j) {
-    const Eigen::Index row = nodes + Degree - 1 + 2 * j;
+    const Eigen::Index row = nodes + Degree - 1 + Eigen::Index{2} * j;
     residuals.template segment<2>(row) = length_root * e.col(j);
     jacobian.template block<2, 2>(row, 2 * j).diagonal().setConstant(-length_root);
     jacobian.template block<2, 2>(row, 2 * j + 2).diagonal().setConstant(length_root);

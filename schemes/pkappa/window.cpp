@@ -43,7 +43,7 @@ Chain chain_in(const Frame& frame, const Window<K>& window) {
   std::vector<ControlPolygon<Layout<K>::degree>> control;
   for (const auto& c : window.start.control) control.push_back(frame.into(c));
   std::vector<Vec2> points;
-  for (const Vec2& p : window.points) points.push_back((p - frame.origin) / frame.unit);
+  for (const Vec2& p : window.points) points.emplace_back((p - frame.origin) / frame.unit);
   return chain_of<K>(control, window.start.t, points, window.first, window.last);
 }
 
