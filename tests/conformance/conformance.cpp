@@ -7,6 +7,7 @@
 #include "datasets/datasets.hpp"
 #include "datasets/random_points.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/schemes.hpp"
 
 using namespace kappabench;
@@ -14,12 +15,8 @@ using namespace kappabench::test;
 
 namespace {
 
-/// Sanitizers make the longest curves of the slowest schemes take many minutes: short ones meet the same code.
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t most_points = 16;
-#else
-constexpr std::size_t most_points = 100000;
-#endif
+/// Points of the longest curves to look at.
+constexpr std::size_t most_points = sanitized ? 16 : 100000;
 
 /// Calls `check` for every scheme at its defaults and every curve of the built-in drawings.
 template <class Check>

@@ -6,6 +6,7 @@
 #include "datasets/datasets.hpp"
 #include "metrics/continuity.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/schemes.hpp"
 
 using namespace kappabench;
@@ -13,12 +14,7 @@ using namespace kappabench::test;
 
 namespace {
 
-/// Sanitizers make everything take ten times as long: the shortest drawings meet the same code.
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t short_drawing = 4;
-#else
-constexpr std::size_t short_drawing = 5;
-#endif
+constexpr std::size_t short_drawing = sanitized ? 4 : 5;
 
 /// With KAPPABENCH_PKAPPA_ALL set, all drawings; else the short ones.
 std::size_t most_points() { return std::getenv("KAPPABENCH_PKAPPA_ALL") != nullptr ? 1000 : short_drawing; }

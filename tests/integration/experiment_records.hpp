@@ -14,6 +14,7 @@
 #include "experiments/scratch_folder.hpp"
 #include "reports/paper.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/schemes.hpp"
 
 namespace kappabench::test {
@@ -37,8 +38,9 @@ inline store::ExperimentRecord computed(const std::string& id, const Context& co
 /// One experiment of a plan, run as the program does.
 inline store::ExperimentRecord run_one(const PlannedExperiment& planned, int processes = 2) {
   const ScratchFolder folder;
-  const RunSummary summary = run(all_schemes(), {.seed = 1, .experiments = {planned}},
-                                 {.results = folder.path() / "results.h5", .processes = processes, .timeout = 60.0});
+  const RunSummary summary =
+      run(all_schemes(), {.seed = 1, .experiments = {planned}},
+          {.results = folder.path() / "results.h5", .processes = processes, .timeout = sanitized ? 1200.0 : 120.0});
   REQUIRE(summary.lost == 0);
   return summary.results.experiments.front();
 }

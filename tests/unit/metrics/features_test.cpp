@@ -5,6 +5,7 @@
 
 #include "metrics/self_intersection.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/unit/metrics/curves.hpp"
 
 using namespace kappabench;
@@ -117,7 +118,7 @@ TEST_CASE("crossings agree with those of a fine polygon on random curves", "[fea
   std::mt19937 random(99);
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
   int total = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < test::cases(150); ++trial) {
     // Closed or open chains of cubics with matching tangents.
     const bool closed = trial % 2 == 0;
     const int n = 2 + trial % 4;
@@ -148,7 +149,7 @@ TEST_CASE("crossings agree with those of a fine polygon on random curves", "[fea
       CHECK((a - b).norm() < 1e-12);
     }
   }
-  CHECK(total > 150);
+  CHECK(total > test::cases(150));
 }
 
 TEST_CASE("inflections of a closed eight are found at the closure as well", "[features]") {

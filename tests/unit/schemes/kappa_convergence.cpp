@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/unit/schemes/kappa_inputs.hpp"
 
 using namespace kappabench;
@@ -69,7 +70,8 @@ TEST_CASE("random inputs of six families are solved", "[kappa]") {
                       {{"ekappa-trig:a=0.8", 0, 0}, 0.0005, 15},
                       {{"ekappa-trig:a=0.75", 0, 0}, 0.001, 15}};
   const char* wanted = std::getenv("KAPPABENCH_KAPPA_SEEDS");
-  const std::uint64_t seeds = wanted != nullptr ? std::stoull(wanted) : 40;  // of each family
+  const std::uint64_t seeds =
+      wanted != nullptr ? std::stoull(wanted) : static_cast<std::uint64_t>(test::cases(40));  // of each family
   for (const Bar& bar : bars) {
     int failures = 0;
     std::vector<int> iterations;
@@ -94,7 +96,8 @@ TEST_CASE("random inputs of six families are solved", "[kappa]") {
                         << " in the median, " << iterations[count * 99 / 100] << " at 99 %");
     INFO(bar.c.scheme);
     CHECK(failures <= bar.failures * static_cast<double>(count));
-    CHECK(iterations[count / 2] <= bar.median_iterations);
+    // A few inputs have no typical median.
+    if (!test::sanitized) CHECK(iterations[count / 2] <= bar.median_iterations);
   }
 }
 

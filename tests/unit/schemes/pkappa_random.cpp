@@ -7,6 +7,7 @@
 #include "schemes/pkappa/segment_energy.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 #include "tests/unit/schemes/kappa_inputs.hpp"
 
 using namespace kappabench;
@@ -82,7 +83,7 @@ Count count(Kind kind, bool closed, const std::string& mode, const std::string& 
 
 TEST_CASE("pkappa: random curves of ten points") {
   const char* wanted = std::getenv("KAPPABENCH_PKAPPA_SEEDS");
-  const int seeds = wanted != nullptr ? std::atoi(wanted) : 2;
+  const int seeds = wanted != nullptr ? std::atoi(wanted) : test::cases(2);
   const std::pair<Kind, const char*> kinds[] = {
       {Kind::walk, "walk"}, {Kind::uneven_walk, "uneven walk"}, {Kind::square, "square"}, {Kind::star, "star"}};
   const char* only = std::getenv("KAPPABENCH_PKAPPA_KIND");

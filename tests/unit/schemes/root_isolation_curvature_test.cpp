@@ -8,6 +8,7 @@
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 
 using namespace kappabench;
 
@@ -117,7 +118,7 @@ TEST_CASE("certified counts agree with dense sampling on random segments", "[roo
   std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
   const auto point = [&] { return Vec2(coordinate(random), coordinate(random)); };
   int disagreements = 0;
-  for (int trial = 0; trial < 600; ++trial) {
+  for (int trial = 0; trial < test::cases(600); ++trial) {
     const int degree = 2 + trial % 5;
     std::unique_ptr<Segment> segment;
     if (degree <= 5) {
