@@ -83,10 +83,8 @@ bool rises_on_spans(const StandardCurve& curve, double rounding) {
 bool rises(const HermiteFit& fit) {
   if (fit.outcome != Outcome::converged || !fit.curve) return false;
   const std::vector<double>& k = fit.curve->controls;
-  double largest = 0.0;
-  for (const double value : k) largest = std::max(largest, std::abs(value));
   if (!(k.back() > k.front())) return false;
-  if (fit.curve->basis.degree == 3) return rises_on_spans(*fit.curve, 1e-12 * largest);
+  if (fit.curve->basis.degree == 3) return rises_on_spans(*fit.curve, 1e-12 * largest_control(*fit.curve));
   return verdict_of(*fit.curve).trend == Trend::rising;
 }
 

@@ -58,18 +58,10 @@ HermiteFit drawn_fit(int stage, Others others) {
   return with_moved_controls(data, *fit.curve, drawn_moves(*fit.curve, stage), others);
 }
 
-double largest_control(const StandardCurve& curve) {
-  double largest = 0.0;
-  for (const double k : curve.controls) largest = std::max(largest, std::abs(k));
-  return largest;
-}
-
 int inflections_of(const StandardCurve& curve) {
   const auto [low, high] = std::ranges::minmax(curve.controls);
   if (low >= 0.0 || high <= 0.0) return 0;
-  const IntrinsicSegment segment(
-      {Vec2::Zero(), 0.0, curve.length, curve.basis.degree, curve.basis.knots, curve.controls});
-  return static_cast<int>(inflections(segment).at.size());
+  return static_cast<int>(inflections(IntrinsicSegment(form_of(curve, 0.0))).at.size());
 }
 
 /// A control moved by `size` times the largest one, in steps that grow.

@@ -56,11 +56,7 @@ HermiteFit level_ended(const StandardData& data) {
   tie(rule, 2, 3);
   const FixedKnots knots(basis, rule);
   const Solved solved = knots.solve(data);
-  HermiteFit fit{solved.converged ? Outcome::converged : Outcome::not_converged, "", knots.curve(solved),
-                 solved.iterations, 0.0};
-  fit.residual = gap(*fit.curve, data);
-  if (!solved.converged) fit.message = "the end is missed";
-  return fit;
+  return judged(data, knots.curve(solved), solved.iterations, solved.converged);
 }
 
 IntrinsicSegment segment_of(const StandardCurve& curve, const StandardData& data) {
@@ -86,8 +82,7 @@ double largest_distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) 
 /// that is more: the slopes of a nearly circular arc are all rounding.
 double end_slope(const StandardCurve& curve, const StandardData& data) {
   const IntrinsicSegment segment = segment_of(curve, data);
-  double largest = 0.0;
-  for (const double k : curve.controls) largest = std::max(largest, std::abs(k));
+  double largest = largest_control(curve);
   for (int i = 1; i + 1 < points_compared; ++i)
     largest = std::max(largest,
                        std::abs(curvature_derivative(segment.jet(static_cast<double>(i) / (points_compared - 1), 3))));

@@ -90,8 +90,7 @@ NearestEnd nearest_end(const StandardData& data) {
 
 /// Share of the length on which curvature rises from 10 to 90 % of its range.
 double transition(const StandardCurve& curve) {
-  const IntrinsicSegment segment(
-      {Vec2::Zero(), 0.0, curve.length, curve.basis.degree, curve.basis.knots, curve.controls});
+  const IntrinsicSegment segment(form_of(curve, 0.0));
   const double low = curve.controls.front(), high = curve.controls.back();
   // Monotone: bisection.
   const auto where = [&](double part) {

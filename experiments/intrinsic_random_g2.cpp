@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +16,6 @@
 namespace kappabench::yoshida {
 
 using namespace intrinsic;
-
-namespace {}  // namespace
 
 void measure_kind(Kind kind, std::uint64_t seed, long from, long to, store::CellRecord& cell) {
   double solved = 0.0, rising = 0.0, iterations = 0.0, most_iterations = 0.0, largest_gap = 0.0;

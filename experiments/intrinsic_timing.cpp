@@ -29,8 +29,9 @@ namespace {
 constexpr std::string_view about =
     "500 random G1 conditions with the paper's angles, p = 0, equal knots, 500 points of every curve. The published "
     "method is downhill simplex on the distance of the end, stopped at 1e-12 chords; it and Newton's method read the "
-    "same tables, which depend on the knots alone and are set up once. Points are evaluated in one pass of Gauss "
-    "quadrature, with sines and cosines of the C library or of xsimd. All works are timed in one process, samples in "
+    "same tables, which depend on the knots alone and are set up once. Points are evaluated in one pass of the "
+    "trapezium rule with its first correction, with sines and cosines of the C library or of xsimd. All works are "
+    "timed in one process, samples in "
     "random order, by Google Benchmark in processor time, so that load hits all of them alike: only ratios compare "
     "across machines. The paper's times are from a Ryzen 9 3950X and GSL, with a tolerance that it does not name. "
     "Asked of this program are 40 times the simplex for the solution alone, 4 times with the same evaluation and 10 "

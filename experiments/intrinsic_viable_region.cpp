@@ -37,17 +37,13 @@ constexpr long data_of_a_kind = 1000, infeasible_data = 400, random_spirals = 50
 
 std::string automatic_title() { return "automatic"; }
 
-/// Eq. (12) with the numerator's second term times `factor`.
-bool satisfies_equation_12(const StandardData& angles, double start, double end, double factor) {
-  const double room = 2.0 * std::sin(angles.chord_angle) - start;
-  return room > 0.0 &&
-         end > (2.0 * (1.0 - std::cos(angles.turning)) - 2.0 * factor * std::sin(angles.end_angle())) / room;
-}
+/// Eq. (12) without the factor kappa_s of the numerator's second term.
 bool satisfies_as_printed(const StandardData& angles, double start, double end) {
-  return satisfies_equation_12(angles, start, end, 1.0);
+  const double room = 2.0 * std::sin(angles.chord_angle) - start;
+  return room > 0.0 && end > (2.0 * (1.0 - std::cos(angles.turning)) - 2.0 * std::sin(angles.end_angle())) / room;
 }
 bool satisfies_corrected(const StandardData& angles, double start, double end) {
-  return satisfies_equation_12(angles, start, end, start);
+  return end > least_end_curvature(angles.chord_angle, angles.turning, start);
 }
 
 void measure_spirals(std::uint64_t seed, long n, store::CellRecord& cell) {

@@ -169,18 +169,25 @@ double variation(const StandardCurve& curve) {
   return sum;
 }
 
+/// A fit and what its curvature does.
+struct Judged {
+  HermiteFit fit;
+  Verdict verdict;
+};
+
 /// Fewest extrema over all p, then least variation; nullopt if no p has a solution.
-std::optional<HermiteFit> on_fixed_knots(const StandardData& data, Settings settings) {
+std::optional<Judged> on_fixed_knots(const StandardData& data, Settings settings) {
   settings.automatic = false;
-  std::optional<HermiteFit> best;
+  std::optional<Judged> best;
   std::pair<int, double> best_cost;
   for (const double p : {0.0, 0.5, -0.5, 1.0, -1.0}) {
     settings.p = p;
     HermiteFit tried = solve(data, settings);
     if (tried.outcome != Outcome::converged) continue;
-    const std::pair cost{verdict_of(*tried.curve).extrema, variation(*tried.curve)};
+    const Verdict verdict = verdict_of(*tried.curve);
+    const std::pair cost{verdict.extrema, variation(*tried.curve)};
     if (best && cost >= best_cost) continue;
-    best = std::move(tried);
+    best = Judged{std::move(tried), verdict};
     best_cost = cost;
   }
   return best;
@@ -194,12 +201,13 @@ SpanFit fit_span(const HermiteData& data, const Settings& settings, bool may_fal
   if (span.fit.outcome != Outcome::converged && may_fall_back) {
     span.fell_back = true;
     if (auto fixed = on_fixed_knots(standard, settings)) {
-      span.fit = *std::move(fixed);
-    } else {
-      standard.start_curvature = standard.end_curvature = std::nullopt;
-      span.fit = solve(standard, settings);
-      span.keeps_curvature = false;
+      span.fit = std::move(fixed->fit);
+      span.trend = fixed->verdict.trend;
+      return span;
     }
+    standard.start_curvature = standard.end_curvature = std::nullopt;
+    span.fit = solve(standard, settings);
+    span.keeps_curvature = false;
   }
   if (span.fit.curve) span.trend = verdict_of(*span.fit.curve).trend;
   return span;

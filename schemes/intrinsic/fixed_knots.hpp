@@ -35,8 +35,6 @@ class FixedKnots {
 
   [[nodiscard]] StandardCurve curve(const Solved& solved) const;
 
-  [[nodiscard]] const BSplineBasis& basis() const { return basis_; }
-  [[nodiscard]] const ControlRule& rule() const { return rule_; }
   /// The rule at the nodes of the quadrature for curves that turn by less than 2.5 rad.
   [[nodiscard]] const RuleTable& table() const { return coarse_; }
 

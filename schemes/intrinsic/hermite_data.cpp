@@ -32,6 +32,16 @@ StandardData standard_form(const HermiteData& data) {
   return {chord_angle, chord_angle + end_angle, times(data.from.curvature, length), times(data.to.curvature, length)};
 }
 
+IntrinsicForm form_of(const StandardCurve& curve, double angle) {
+  return {Vec2::Zero(), angle, curve.length, curve.basis.degree, curve.basis.knots, curve.controls};
+}
+
+double largest_control(const StandardCurve& curve) {
+  double largest = 0.0;
+  for (const double k : curve.controls) largest = std::max(largest, std::abs(k));
+  return largest;
+}
+
 StandardData mirrored(const StandardData& data) {
   return {-data.chord_angle, -data.turning, times(data.start_curvature, -1.0), times(data.end_curvature, -1.0)};
 }
@@ -61,8 +71,7 @@ IntrinsicForm placed(const StandardCurve& curve, const HermiteData& data) {
 }
 
 double gap(const StandardCurve& curve, const StandardData& data) {
-  const IntrinsicSegment segment(
-      {Vec2::Zero(), -data.chord_angle, curve.length, curve.basis.degree, curve.basis.knots, curve.controls});
+  const IntrinsicSegment segment(form_of(curve, -data.chord_angle));
   const std::vector<double> integrals = basis_integrals(curve.basis);
   const double turning =
       curve.length * std::inner_product(integrals.begin(), integrals.end(), curve.controls.begin(), 0.0);

@@ -42,6 +42,12 @@ struct StandardCurve {
   double length;                 ///< over the chord
 };
 
+/// The same numbers with the start at the origin in direction `angle`, the chord being the unit.
+[[nodiscard]] IntrinsicForm form_of(const StandardCurve& curve, double angle);
+
+/// The largest control curvature, without sign: what rounding is relative to.
+[[nodiscard]] double largest_control(const StandardCurve& curve);
+
 /// The mirror image in the chord's line turned into the start tangent's: angles and curvatures change sign.
 [[nodiscard]] StandardData mirrored(const StandardData& data);
 [[nodiscard]] StandardCurve mirrored(StandardCurve curve);

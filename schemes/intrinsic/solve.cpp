@@ -16,30 +16,15 @@
 
 namespace kappabench::intrinsic {
 
-std::string_view name(Trend trend) {
-  switch (trend) {
-    case Trend::constant:
-      return "constant";
-    case Trend::rising:
-      return "rising";
-    case Trend::falling:
-      return "falling";
-    case Trend::not_monotone:
-      return "not monotone";
-  }
-  return "";
-}
-
 namespace {
 
 /// Controls that differ by the solver's rounding are equal.
-IntrinsicSegment cleaned(const StandardCurve& curve) {
-  std::vector<double> k = curve.controls;
-  double largest = 0.0;
-  for (const double value : k) largest = std::max(largest, std::abs(value));
+IntrinsicSegment cleaned(StandardCurve curve) {
+  const double rounding = 1e-12 * largest_control(curve);
+  std::vector<double>& k = curve.controls;
   for (std::size_t i = 1; i < k.size(); ++i)
-    if (std::abs(k[i] - k[i - 1]) <= 1e-12 * largest) k[i] = k[i - 1];
-  return IntrinsicSegment({Vec2::Zero(), 0.0, curve.length, curve.basis.degree, curve.basis.knots, std::move(k)});
+    if (std::abs(k[i] - k[i - 1]) <= rounding) k[i] = k[i - 1];
+  return IntrinsicSegment(form_of(curve, 0.0));
 }
 
 }  // namespace
@@ -87,9 +72,8 @@ HermiteFit judged(const StandardData& data, StandardCurve curve, int iterations,
   fit.residual = gap(curve, data);
   fit.curve = std::move(curve);
   // What the rounding of the largest curvature does to angles and positions.
-  double largest = 0.0;
-  for (const double k : fit.curve->controls) largest = std::max(largest, std::abs(k));
-  const bool met = converged && fit.residual <= std::clamp(1e-14 * largest, 1e-12, 1e-10);
+  const double accuracy = std::clamp(1e-14 * largest_control(*fit.curve), 1e-12, 1e-10);
+  const bool met = converged && fit.residual <= accuracy;
   fit.outcome = met ? Outcome::converged : Outcome::not_converged;
   fit.message = met ? "" : fmt::format("the end is missed by {:.3g} chords", fit.residual);
   return fit;

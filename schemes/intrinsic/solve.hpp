@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "schemes/api/fit.hpp"
 #include "schemes/intrinsic/controls.hpp"
@@ -23,8 +22,6 @@ struct Settings {
 };
 
 enum class Trend { constant, rising, falling, not_monotone };
-
-[[nodiscard]] std::string_view name(Trend trend);
 
 /// What curvature does along the curve.
 struct Verdict {

@@ -68,7 +68,7 @@ TEST_CASE("intrinsic: G1 fixtures, S-shaped ones too") {
       CHECK(fit.curve->controls.back() == Approx(f.last).epsilon(1e-14));
       CHECK(fit.curve->length == Approx(f.length).epsilon(1e-14));
       CHECK(fit.residual <= 1e-14);
-      CHECK(fit.curve->controls == std::vector<double>(fit.curve->controls));
+      CHECK(verdict_of(*fit.curve).trend == (f.last > f.first ? Trend::rising : Trend::falling));
     }
 }
 
