@@ -10,7 +10,7 @@
 #include "metrics/metric.hpp"
 #include "metrics/monotone_intervals.hpp"
 #include "metrics/parabola_energy.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 
 namespace kappabench {
 namespace {

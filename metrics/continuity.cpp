@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "metrics/arc_map.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "metrics/tangents.hpp"
 
 namespace kappabench {
@@ -109,7 +109,7 @@ Metric continuity_metric() {
             claims.size() == 0 || std::find(claims.begin(), claims.end(), jump.joint.claimed) != claims.end();
         if (wanted) values.push_back(jump.*value);
       }
-      return max_of(values);
+      return kappabench::largest(values);
     };
     using enum Continuity;
     const auto violations =

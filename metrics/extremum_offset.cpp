@@ -5,7 +5,7 @@
 
 #include "metrics/curvature_profile.hpp"
 #include "metrics/node_pieces.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 
 namespace kappabench {
 namespace {
@@ -91,8 +91,8 @@ Metric extremum_offset_metric() {
     }
     const Method method = profile.certified ? Method::exact : Method::sampled;
     const double fraction = offsets.empty() ? undefined : hits / static_cast<double>(offsets.size());
-    return std::vector<Measurement>{{"extremum_offset_mean", mean_of(offsets), method},
-                                    {"extremum_offset_max", max_of(offsets), method},
+    return std::vector<Measurement>{{"extremum_offset_mean", mean(offsets), method},
+                                    {"extremum_offset_max", largest(offsets), method},
                                     {"nodes_at_extremum", fraction, method},
                                     {"nodes_at_curvature_minimum", minima, method}};
   };

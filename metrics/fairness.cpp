@@ -4,7 +4,7 @@
 
 #include "metrics/arc_samples.hpp"
 #include "metrics/curvature_profile.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 
 namespace kappabench {

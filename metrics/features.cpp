@@ -6,7 +6,7 @@
 
 #include "metrics/node_pieces.hpp"
 #include "metrics/self_intersection.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "metrics/tangents.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 

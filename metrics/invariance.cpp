@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "metrics/correspondence.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/api/edit.hpp"
 
 namespace kappabench {
@@ -196,8 +196,8 @@ Metric invariance_metric() {
                                     {"deviation_mirror", probe.under(mirrored), Method::sampled},
                                     {"deviation_reversal", probe.under_reversal(), Method::sampled},
                                     {"deviation_cyclic_shift", probe.under_shift(), Method::sampled},
-                                    {"deviation_extensionality_mean", mean_of(insertions), Method::sampled},
-                                    {"deviation_extensionality_max", max_of(insertions), Method::sampled},
+                                    {"deviation_extensionality_mean", mean(insertions), Method::sampled},
+                                    {"deviation_extensionality_max", largest(insertions), Method::sampled},
                                     {"sensitivity", probe.sensitivity(), Method::sampled}};
   };
   return {"invariance", "Invariance and stability of the scheme", 1, columns, measure, true};

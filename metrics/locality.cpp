@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "metrics/correspondence.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/api/edit.hpp"
 
 namespace kappabench {

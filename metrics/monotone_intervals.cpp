@@ -2,7 +2,7 @@
 
 #include "metrics/curvature_profile.hpp"
 #include "metrics/node_pieces.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 
 namespace kappabench {
 namespace {
@@ -64,11 +64,11 @@ Metric monotone_intervals_metric() {
       const auto segments = per_segment(curve, profile, prominence);
       const auto pieces = per_centred_piece(curve, profile, prominence);
       const auto extrema = static_cast<double>(turning_points(profile, curve.closed(), prominence).size());
-      add(stem + "intervals_per_segment_mean", mean_of(segments));
-      add(stem + "intervals_per_segment_max", max_of(segments));
+      add(stem + "intervals_per_segment_mean", mean(segments));
+      add(stem + "intervals_per_segment_max", largest(segments));
       if (!filtered) add("segments_with_at_most_two_intervals", fraction_of_at_most_two(segments));
-      add(stem + "intervals_per_centred_piece_mean", mean_of(pieces));
-      add(stem + "intervals_per_centred_piece_max", max_of(pieces));
+      add(stem + "intervals_per_centred_piece_mean", mean(pieces));
+      add(stem + "intervals_per_centred_piece_max", largest(pieces));
       if (!filtered) add("centred_pieces_with_at_most_two_intervals", fraction_of_at_most_two(pieces));
       add(filtered ? "prominent_extrema" : "curvature_extrema", extrema);
     }

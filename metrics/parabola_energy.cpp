@@ -7,7 +7,7 @@
 #include "metrics/arc_samples.hpp"
 #include "metrics/curvature_profile.hpp"
 #include "metrics/node_pieces.hpp"
-#include "metrics/summary.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 
 namespace kappabench {
@@ -151,10 +151,10 @@ Metric parabola_energy_metric() {
     std::vector<Measurement> row;
     const auto add = [&](const std::string& variant, const std::vector<double>& energies) {
       const std::string stem = "parabola_energy_" + variant;
-      row.push_back({stem + "_mean", mean_of(energies), Method::sampled});
-      row.push_back({stem + "_max", max_of(energies), Method::sampled});
-      row.push_back({stem + "_scaled_mean", chord * mean_of(energies), Method::sampled});
-      row.push_back({stem + "_scaled_max", chord * max_of(energies), Method::sampled});
+      row.push_back({stem + "_mean", mean(energies), Method::sampled});
+      row.push_back({stem + "_max", largest(energies), Method::sampled});
+      row.push_back({stem + "_scaled_mean", chord * mean(energies), Method::sampled});
+      row.push_back({stem + "_scaled_max", chord * largest(energies), Method::sampled});
     };
     add("native", native.pinned);
     add("native_free", native.free);

@@ -155,6 +155,7 @@ void TreeWriter::table_columns(const std::vector<TableColumn>& columns) {
     write_attribute(dataset, "index", H5::PredType::STD_I32LE, H5::PredType::NATIVE_INT, static_cast<int>(i));
     write_attribute(dataset, "name", column.name);
     write_attribute(dataset, "unit", column.unit);
+    write_attribute(dataset, "method", column.method);
     write_attribute(dataset, "whole_numbers", H5::PredType::STD_I32LE, H5::PredType::NATIVE_INT,
                     column.whole_numbers ? 1 : 0);
   }
@@ -298,7 +299,8 @@ void TreeReader::table_columns(std::vector<TableColumn>& columns) const {
   std::vector<std::pair<int, TableColumn>> found;
   for (const auto& link : link_names()) {
     const H5::DataSet cells = dataset(link);
-    TableColumn column{read_text(cells, "name"), read_text(cells, "unit"), {}, false};
+    TableColumn column{
+        .name = read_text(cells, "name"), .unit = read_text(cells, "unit"), .method = read_text(cells, "method")};
     column.whole_numbers = read_number<int>(cells, "whole_numbers", H5::PredType::NATIVE_INT) != 0;
     if (cells.getTypeClass() == H5T_STRING) column.cells = std::vector<std::string>();
     std::visit([&](auto& values) { read_cells(cells, values); }, column.cells);

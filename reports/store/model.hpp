@@ -46,6 +46,23 @@ struct CurveRecord {
   bool operator==(const CurveRecord&) const = default;
 };
 
+/// A table of results: columns of equal length, each of numbers or of words.
+struct TableColumn {
+  std::string name;
+  std::string unit{};
+  std::string method{};  ///< exact | enclosed | sampled; empty for words, keys and what was worked out from others
+  std::variant<std::vector<double>, std::vector<std::string>> cells{};
+  bool whole_numbers = false;
+  bool operator==(const TableColumn&) const = default;
+};
+struct TableRecord {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::vector<TableColumn> columns;
+  bool operator==(const TableRecord&) const = default;
+};
+
 /// One cell: a drawing fitted by a scheme with parameters, in one experiment.
 struct CellRecord {
   std::string dataset;
@@ -56,25 +73,10 @@ struct CellRecord {
   std::string outcome;     ///< the worst of its curves
   std::string message;
   std::vector<CurveRecord> curves;
+  std::vector<TableRecord> rows;  ///< what a study measured: key columns (no method), then numbers; no id, no title
   std::vector<MeasurementRecord> measurements;         ///< over the whole drawing
   std::map<std::string, std::vector<double>> timings;  ///< raw repetitions, seconds
   bool operator==(const CellRecord&) const = default;
-};
-
-/// A table of results: columns of equal length, each of numbers or of words.
-struct TableColumn {
-  std::string name;
-  std::string unit;
-  std::variant<std::vector<double>, std::vector<std::string>> cells;
-  bool whole_numbers = false;
-  bool operator==(const TableColumn&) const = default;
-};
-struct TableRecord {
-  std::string id;
-  std::string title;
-  std::string caption;
-  std::vector<TableColumn> columns;
-  bool operator==(const TableRecord&) const = default;
 };
 
 /// A panel of a figure: what to draw, by reference into the same experiment.

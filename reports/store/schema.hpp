@@ -68,6 +68,14 @@ void describe_curve(Tree& tree, Curve& c) {
   describe_measurements(tree, c.measurements);
 }
 
+template <class Tree, class Table>
+void describe_table(Tree& tree, Table& table) {
+  tree.value("id", table.id);
+  tree.value("title", table.title);
+  tree.value("caption", table.caption);
+  tree.table_columns(table.columns);
+}
+
 template <class Tree, class Cell>
 void describe_cell(Tree& tree, Cell& cell) {
   tree.value("dataset", cell.dataset);
@@ -78,16 +86,9 @@ void describe_cell(Tree& tree, Cell& cell) {
   tree.value("outcome", cell.outcome);
   tree.value("message", cell.message);
   tree.list("curves", cell.curves, by_number, [](auto& child, auto& curve) { describe_curve(child, curve); });
+  tree.list("rows", cell.rows, by_number, [](auto& child, auto& table) { child.table_columns(table.columns); });
   describe_measurements(tree, cell.measurements);
   tree.series("timings", cell.timings);
-}
-
-template <class Tree, class Table>
-void describe_table(Tree& tree, Table& table) {
-  tree.value("id", table.id);
-  tree.value("title", table.title);
-  tree.value("caption", table.caption);
-  tree.table_columns(table.columns);
 }
 
 template <class Tree, class Panel>

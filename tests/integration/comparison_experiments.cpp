@@ -6,9 +6,9 @@
 #include <memory>
 #include <set>
 
-#include "experiments/curve_findings.hpp"
-#include "experiments/curve_marks.hpp"
-#include "experiments/summaries.hpp"
+#include "experiments/papers/pkappa-2024-wang/curve_findings.hpp"
+#include "experiments/study/curve_marks.hpp"
+#include "experiments/study/summaries.hpp"
 #include "reports/paper.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "datasets/datasets.hpp"
-#include "experiments/curve_json.hpp"
+#include "schemes/api/curve_json.hpp"
 #include "schemes/segments/blend.hpp"
 #include "schemes/segments/clothoid.hpp"
 #include "schemes/segments/elliptic_arc.hpp"

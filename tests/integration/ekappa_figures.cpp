@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/study.hpp"
-#include "experiments/verdicts.hpp"
+#include "experiments/study/study.hpp"
+#include "experiments/study/verdicts.hpp"
 #include "reports/figures/figure.hpp"
 #include "tests/catch.hpp"
 #include "tests/integration/experiment_records.hpp"

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/ekappa_applicability_bases.hpp"
-#include "experiments/ekappa_basis_identities.hpp"
-#include "experiments/family_sweep.hpp"
-#include "experiments/timing.hpp"
+#include "experiments/papers/ekappa-2022-miura/applicability_bases.hpp"
+#include "experiments/papers/ekappa-2022-miura/basis_identities.hpp"
+#include "experiments/papers/ekappa-2022-miura/family_sweep.hpp"
+#include "experiments/study/timing.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
 #include "tests/integration/experiment_records.hpp"

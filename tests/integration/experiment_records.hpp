@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "experiments/experiment.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/scratch_folder.hpp"
+#include "experiments/program/scratch_folder.hpp"
+#include "experiments/run/experiment.hpp"
+#include "experiments/run/runner.hpp"
 #include "reports/paper.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "datasets/datasets.hpp"
-#include "experiments/fpc_feature_check.hpp"
-#include "experiments/fpc_inputs.hpp"
+#include "experiments/papers/fpc-2019-chen/feature_check.hpp"
+#include "experiments/papers/fpc-2019-chen/inputs.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
 #include "tests/integration/experiment_records.hpp"

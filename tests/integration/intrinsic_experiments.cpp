@@ -6,9 +6,9 @@
 #include <set>
 
 #include "datasets/random_source.hpp"
-#include "experiments/intrinsic_common.hpp"
-#include "experiments/intrinsic_inputs.hpp"
-#include "experiments/intrinsic_region.hpp"
+#include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
+#include "experiments/papers/intrinsic-2022-yoshida/inputs.hpp"
+#include "experiments/papers/intrinsic-2022-yoshida/region.hpp"
 #include "schemes/intrinsic/viable_region.hpp"
 #include "tests/catch.hpp"
 #include "tests/integration/experiment_records.hpp"

@@ -1,6 +1,6 @@
 // The experiments on pκ-curves: what they conclude, and that they conclude otherwise from other data.
 
-#include "experiments/pkappa_common.hpp"
+#include "experiments/papers/pkappa-2024-wang/common.hpp"
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/summaries.hpp"
+#include "experiments/study/summaries.hpp"
 #include "metrics/parabola_energy.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"

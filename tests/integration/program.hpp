@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "experiments/scratch_folder.hpp"
+#include "experiments/program/scratch_folder.hpp"
 #include "tests/catch.hpp"
 
 namespace kappabench::test {

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <thread>
 
-#include "experiments/plan.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/scratch_folder.hpp"
-#include "experiments/workers.hpp"
+#include "experiments/program/scratch_folder.hpp"
+#include "experiments/run/plan.hpp"
+#include "experiments/run/runner.hpp"
+#include "experiments/run/workers.hpp"
 #include "reports/store/hdf5_store.hpp"
 #include "tests/catch.hpp"
 #include "tests/schemes.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "datasets/datasets.hpp"
-#include "experiments/scratch_folder.hpp"
+#include "experiments/program/scratch_folder.hpp"
 
 namespace kappabench {
 

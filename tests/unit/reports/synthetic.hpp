@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/scratch_folder.hpp"
+#include "experiments/program/scratch_folder.hpp"
 #include "reports/store/model.hpp"
 
 /// Results made of formulas, so that everything written can be tested without any scheme: a rounded polygon

@@ -1,0 +1,251 @@
+#include "experiments/run/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "datasets/random_source.hpp"
+#include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
+#include "experiments/study/summaries.hpp"
+#include "schemes/segments/intrinsic.hpp"
+
+namespace kappabench {
+
+using namespace yoshida;
+using namespace intrinsic;
+
+namespace {
+
+constexpr std::string_view about =
+    "The cubic B-spline of Fig. 1: knots [0, 0, 0, 1/2, 1, 1, 1] and five control curvatures (the paper prints none; a "
+    "stand-in), the seven Bezier control curvatures after knot insertion, and the curve. Then the closed forms for the "
+    "angle: Eq. (5) for the whole, and Eq. (7) for the angle at any arc length, as printed (n of n + 1 coefficients "
+    "are summed, and widths in the original parameter are multiplied by the arc length so far) and corrected, against "
+    "Gauss quadrature of the B-spline by de Boor's recurrence, on random splines and arc lengths.";
+
+constexpr int version = 1;
+constexpr int random_splines = 200;
+constexpr std::string_view dataset = "five control curvatures", label = "curve";
+
+IntrinsicForm example() {
+  return {Vec2::Zero(), 0.0, 1.0, 3, {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0}, {0.4, 2.4, 0.6, 1.4, 3.2}};
+}
+
+/// Value at t in [0, 1) by de Boor's recurrence, with the end knots repeated once more.
+double de_boor(const IntrinsicForm& form, double t) {
+  std::vector<double> knots{form.knots.front()};
+  knots.insert(knots.end(), form.knots.begin(), form.knots.end());
+  knots.push_back(form.knots.back());
+  const auto n = static_cast<std::size_t>(form.degree);
+  std::size_t span = n;
+  while (span + 1 < form.control_curvatures.size() && t >= knots[span + 1]) ++span;
+  std::vector<double> d(n + 1);
+  for (std::size_t j = 0; j <= n; ++j) d[j] = form.control_curvatures[span - n + j];
+  for (std::size_t r = 1; r <= n; ++r)
+    for (std::size_t j = n; j >= r; --j) {
+      const double from = knots[span - n + j], to = knots[span + 1 + j - r];
+      const double share = (t - from) / (to - from);
+      d[j] = (1.0 - share) * d[j - 1] + share * d[j];
+    }
+  return d[n];
+}
+
+/// The integral of curvature from 0 to t, span by span: exact for polynomials up to rounding.
+double angle_by_quadrature(const IntrinsicForm& form, double t) {
+  double sum = 0.0;
+  for (const KnotSpan& span : spans_of({form.degree, form.knots})) {
+    if (span.from >= t) break;
+    sum += boost::math::quadrature::gauss<double, 7>::integrate([&form](double u) { return de_boor(form, u); },
+                                                                span.from, std::min(t, span.to));
+  }
+  return form.length * sum;
+}
+
+std::vector<double> bezier_of(const IntrinsicForm& form, const KnotSpan& span) {
+  const Eigen::VectorXd b = span.to_bernstein * Eigen::Map<const Eigen::VectorXd>(
+                                                    form.control_curvatures.data() + span.first, form.degree + 1);
+  return {b.begin(), b.end()};
+}
+
+/// The Bernstein coefficients on [0, v] of the polynomial: subdivision.
+std::vector<double> left_part(std::vector<double> b, double v) {
+  std::vector<double> left;
+  for (std::size_t rest = b.size(); rest > 0; --rest) {
+    left.push_back(b[0]);
+    for (std::size_t i = 0; i + 1 < rest; ++i) b[i] += v * (b[i + 1] - b[i]);
+  }
+  return left;
+}
+
+/// Eq. (7): the angle at t as printed, and corrected.
+struct ClosedForms {
+  double printed = 0.0, corrected = 0.0;
+};
+ClosedForms closed_forms(const IntrinsicForm& form, double t) {
+  ClosedForms sums;
+  const double n = form.degree;
+  for (const KnotSpan& span : spans_of({form.degree, form.knots})) {
+    if (span.from >= t) break;
+    const double to = std::min(t, span.to), width = to - span.from;
+    const std::vector<double> b = left_part(bezier_of(form, span), width / span.width());
+    // Printed: j from 1 to n, divided by n + 1.
+    sums.printed += width * std::accumulate(b.begin() + 1, b.end(), 0.0) / (n + 1.0);
+    sums.corrected += width * std::accumulate(b.begin(), b.end(), 0.0) / (n + 1.0);
+  }
+  return {t * form.length * sums.printed, form.length * sums.corrected};
+}
+
+/// The formulas against quadrature, relative to the integral of |curvature|, which `scale` bounds.
+void measure_forms(const IntrinsicForm& form, double t, store::CellRecord& cell) {
+  double largest = 0.0;
+  for (const double k : form.control_curvatures) largest = std::max(largest, std::abs(k));
+  const double scale = largest * form.length;
+  const double angle = angle_by_quadrature(form, t);
+  const ClosedForms forms = closed_forms(form, t);
+  study::put(cell, "printed is off", std::abs(forms.printed - angle) / scale, kappabench::Method::sampled);
+  study::put(cell, "corrected is off", std::abs(forms.corrected - angle) / scale, kappabench::Method::sampled);
+  // Eq. (5) over the whole range.
+  study::put(cell, "whole is off", std::abs(closed_forms(form, 1.0).corrected - angle_by_quadrature(form, 1.0)) / scale,
+             kappabench::Method::sampled);
+}
+
+IntrinsicForm random_form(std::uint64_t seed) {
+  RandomSource random(seed);
+  const int degree = 1 + static_cast<int>(random.uniform(0.0, 5.0));
+  const int size = degree + 1 + static_cast<int>(random.uniform(0.0, 5.0));
+  const BSplineBasis basis = uniform_basis(degree, size);
+  IntrinsicForm form{Vec2::Zero(), 0.0, random.uniform(0.5, 3.0), degree, basis.knots, {}};
+  for (int i = 0; i < size; ++i) form.control_curvatures.push_back(random.uniform(-3.0, 3.0));
+  return form;
+}
+
+void measure_example(store::CellRecord& cell) {
+  const IntrinsicForm form = example();
+  const auto spans = spans_of({form.degree, form.knots});
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const std::vector<double> b = bezier_of(form, spans[i]);
+    for (std::size_t j = i == 0 ? 0 : 1; j < b.size(); ++j) {
+      study::put(cell, "bezier at", spans[i].from + spans[i].width() * static_cast<double>(j) / form.degree);
+      study::put(cell, "bezier", b[j]);
+    }
+  }
+  constexpr int steps = 8;
+  for (int i = 1; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const ClosedForms forms = closed_forms(form, t);
+    study::put(cell, "t", t);
+    study::put(cell, "angle by quadrature", angle_by_quadrature(form, t), kappabench::Method::sampled);
+    study::put(cell, "angle corrected", forms.corrected);
+    study::put(cell, "angle as printed", forms.printed);
+  }
+}
+
+std::vector<CellJob> jobs(const Context& context) {
+  const SchemePtr scheme = context.registry.create("intrinsic");
+  std::vector<CellJob> jobs = drawn_jobs(scheme, std::string(dataset), std::string(label), version, [] {
+    const auto segment = std::make_shared<const IntrinsicSegment>(example());
+    Fit fit{.input = {.points = {segment->jet(0.0, 0).position(), segment->jet(1.0, 0).position()},
+                      .closed = false,
+                      .options = {},
+                      .ids = {}},
+            .curve = std::nullopt,
+            .report = {.outcome = Outcome::converged}};
+    fit.curve.emplace(std::vector<SegmentPtr>{segment}, std::vector<Joint>{}, std::vector<Node>{}, false);
+    return fit;
+  });
+  jobs.push_back(numbers_job(scheme, std::string(dataset), "Bezier form", version, measure_example));
+  const std::uint64_t seed = context.seed;
+  jobs.push_back(numbers_job(scheme, "random splines", fmt::format("angles, seed {}", seed), version,
+                             [seed](store::CellRecord& cell) {
+                               for (std::uint64_t i = 0; i < random_splines; ++i) {
+                                 RandomSource random(seed * 7919 + i);
+                                 measure_forms(random_form(seed * 104729 + i), random.uniform(0.05, 1.0), cell);
+                               }
+                             }));
+  return jobs;
+}
+
+store::TableRecord bezier_table(const store::ExperimentRecord& record) {
+  const auto at = study::values(record, "bezier at"), value = study::values(record, "bezier");
+  const IntrinsicForm form = example();
+  const std::vector<double> greville = greville_abscissae({form.degree, form.knots});
+  TableBuilder builder("controls", "Control curvatures", "Over the abscissae at which they act.");
+  builder.words("form").numbers("abscissa").numbers("curvature");
+  for (std::size_t i = 0; i < at.size(); ++i) builder.row({std::string("Bezier, q"), at[i], value[i]});
+  if (!at.empty())
+    for (std::size_t i = 0; i < greville.size(); ++i)
+      builder.row({std::string("B-spline, p"), greville[i], form.control_curvatures[i]});
+  return builder.table();
+}
+
+store::TableRecord angle_table(const store::ExperimentRecord& record) {
+  const auto t = study::values(record, "t"), exact = study::values(record, "angle by quadrature"),
+             corrected = study::values(record, "angle corrected"), printed = study::values(record, "angle as printed");
+  TableBuilder builder("angles", "The angle along the curve of Fig. 1", "Radians.");
+  builder.numbers("t").numbers("quadrature").numbers("Eq. (7) corrected").numbers("Eq. (7) as printed");
+  for (std::size_t i = 0; i < t.size(); ++i) builder.row({t[i], exact[i], corrected[i], printed[i]});
+  return builder.table();
+}
+
+constexpr double rounding = 1e-13;
+
+store::ClaimRecord formula_claim(const store::ExperimentRecord& record, std::string_view id, std::string_view column,
+                                 std::string evidence) {
+  const std::vector<double> off = study::values(record, column);
+  const auto wrong = static_cast<double>(std::ranges::count_if(off, [](double d) { return !(d <= rounding); }));
+  const auto cases = static_cast<double>(off.size());
+  return claim(id, study::verdict_for_all(wrong, cases),
+               fmt::format("{} agree with quadrature; largest difference {:.2g} of the largest curvature times length",
+                           study::share(cases - wrong, cases), largest(off)),
+               std::move(evidence));
+}
+
+store::FigureRecord figure(const store::ExperimentRecord& record) {
+  store::FigureRecord figure{.id = "intrinsic-example",
+                             .title = "A B-spline curvature function and its curve",
+                             .caption =
+                                 "Five control curvatures (squares) over their Greville abscissae with the knots "
+                                 "(ticks); the same function's Bezier control curvatures; the curve with its comb.",
+                             .columns = 3,
+                             .panels = {}};
+  add_curvature_panel(figure, record, dataset, "explicit B-spline");
+  store::PanelRecord bezier{.kind = "graph", .title = "B-spline and Bezier control polygon"};
+  bezier.table = "controls";
+  bezier.x = "abscissa";
+  bezier.y = {"curvature"};
+  bezier.series = "form";
+  if (!figure.panels.empty()) figure.panels.push_back(std::move(bezier));
+  add_curve_panel(figure, record, dataset, "the curve");
+  return figure;
+}
+
+void conclude(const Context&, store::ExperimentRecord& record) {
+  record.tables = {bezier_table(record), angle_table(record)};
+  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
+  record.claims = {
+      formula_claim(record, "integral-of-bezier-segments", "whole is off",
+                    fmt::format("{} random splines of degree 1 to 5 on equal knots, by Gauss quadrature of de Boor's "
+                                "recurrence.",
+                                random_splines)),
+      formula_claim(record, "angle-in-closed-form", "printed is off",
+                    fmt::format("As printed, at random arc lengths. With all n + 1 coefficients and the widths of the "
+                                "original parameter times the whole length the largest difference is {:.2g}.",
+                                largest(study::values(record, "corrected is off"))))};
+}
+
+}  // namespace
+
+Experiment intrinsic_example_experiment() {
+  return {.id = "intrinsic-example",
+          .title = "A curve from a B-spline curvature function (Yoshida 2022, Fig. 1)",
+          .about = std::string(about),
+          .jobs = jobs,
+          .conclude = conclude};
+}
+
+}  // namespace kappabench

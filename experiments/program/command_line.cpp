@@ -1,0 +1,173 @@
+#include "experiments/program/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+#include <thread>
+
+#include "experiments/program/errors.hpp"
+#include "experiments/program/verbs.hpp"
+
+namespace kappabench {
+
+namespace {
+
+int complain(ExitStatus status, std::string message) {
+  // One line, whatever the library that complains likes.
+  std::ranges::replace(message, '\n', ' ');
+  fmt::print(stderr, "kappabench: {}\n", message);
+  return status;
+}
+
+/// Everything a user can ask for: the parsed arguments of each verb, and the parser that fills them.
+struct CommandLine {
+  CLI::App app{"kappabench: the research benchmark for interpolatory planar curves", "kappabench"};
+  ListArguments list_arguments{};
+  FitArguments fit_arguments{};
+  HermiteArguments hermite_arguments{};
+  CompareArguments compare_arguments{};
+  RunArguments run_arguments{};
+  ReproduceArguments reproduce_arguments{};
+  MergeArguments merge_arguments{};
+  ReportArguments report_arguments{};
+  int status = success;
+
+  explicit CommandLine(const Registry& registry) {
+    app.require_subcommand(1);
+    add_list(registry);
+    add_fit(registry);
+    add_hermite(registry);
+    add_compare(registry);
+    add_run(registry);
+    add_reproduce(registry);
+    add_merge(registry);
+    add_report();
+  }
+
+  static int all_processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+  void add_list(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("list", "What there is: schemes, datasets, metrics, experiments");
+    verb->add_option("WHAT", list_arguments.what, "schemes|datasets|metrics|experiments")
+        ->required()
+        ->check(CLI::IsMember({"schemes", "datasets", "metrics", "experiments"}));
+    verb->add_flag("--json", list_arguments.json, "as JSON");
+    verb->callback([&] { status = list(registry, list_arguments); });
+  }
+
+  void add_fit(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("fit", "Fit one drawing with one scheme");
+    verb->add_option("POINTS", fit_arguments.points, "a drawing's id, a file, or - for standard input")->required();
+    verb->add_option("--scheme", fit_arguments.scheme, "ID[:key=value,...]")->required();
+    verb->add_option("--format", fit_arguments.format, "json|csv|svg|xy")
+        ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
+    verb->add_option("-o,--output", fit_arguments.output, "file to write; default: standard output");
+    verb->callback([&] { status = fit(registry, fit_arguments); });
+  }
+
+  void add_hermite(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("hermite", "Join two points with given tangents, and curvatures if given");
+    verb->add_option("--from", hermite_arguments.from, "x,y,DEG[,kappa]: point, direction in degrees, curvature")
+        ->required();
+    verb->add_option("--to", hermite_arguments.to, "x,y,DEG[,kappa]")->required();
+    verb->add_option("--scheme", hermite_arguments.scheme, "ID[:key=value,...] that can do it")->capture_default_str();
+    verb->add_option("--format", hermite_arguments.format, "json|csv|svg|xy")
+        ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
+    verb->add_option("-o,--output", hermite_arguments.output, "file to write; default: standard output");
+    verb->footer(
+        "Directions are against the x axis, anticlockwise; curvature is 1/length, positive to the left.\n"
+        "Examples:\n"
+        "  kappabench hermite --from 0,0,30 --to 2,1,-45 --format svg -o curve.svg\n"
+        "  kappabench hermite --from 0,0,-20,0.3 --to 1,0,40,2.2\n"
+        "  kappabench hermite --from 0,0,-20,0.3 --to 1,0,40,1.55 --scheme clothoid3");
+    verb->callback([&] { status = hermite(registry, hermite_arguments); });
+  }
+
+  void add_compare(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("compare", "Compare schemes on your points");
+    compare_arguments.processes = all_processors();
+    verb->add_option("POINTS", compare_arguments.points, "drawings: ids, files, folders")->required();
+    verb->add_option("--schemes", compare_arguments.schemes, "ID[:key=value;...],... (default: all)")->delimiter(',');
+    verb->add_option("--metrics", compare_arguments.metrics, "metric ids (default: those of 'compare')")
+        ->delimiter(',');
+    verb->add_option("--format", compare_arguments.format, "table|csv|json|latex")
+        ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
+    verb->add_option("-o,--output", compare_arguments.output, "folder for results, figures and index.html");
+    verb->callback([&] { status = compare(registry, compare_arguments); });
+  }
+
+  void add_run(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("run", "Run experiments, or the plans that name them");
+    run_arguments.processes = all_processors();
+    run_arguments.results = "results.h5";
+    verb->add_option("PLAN", run_arguments.plans_or_experiments, "PLAN.toml or an experiment's id")->required();
+    verb->add_option("-o,--output", run_arguments.results, "results file")->capture_default_str();
+    verb->add_option("-j,--jobs", run_arguments.processes, "cells at once")->check(CLI::Range(1, 1024));
+    verb->add_flag("--resume", run_arguments.resume, "compute only what changed since the last run");
+    verb->add_option("--shard", run_arguments.shard, "I/N: every N-th cell, starting with the I-th");
+    verb->add_option("--timeout", run_arguments.timeout, "seconds a cell may take")->check(CLI::NonNegativeNumber);
+    verb->callback([&] { status = run_verb(registry, run_arguments); });
+  }
+
+  void add_reproduce(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("reproduce", "Run every experiment and write the report");
+    reproduce_arguments.processes = all_processors();
+    reproduce_arguments.folder = "results";
+    verb->add_option("EXPERIMENT", reproduce_arguments.experiments, "ids (default: all)");
+    verb->add_option("-o,--output", reproduce_arguments.folder, "folder")->capture_default_str();
+    verb->add_option("-j,--jobs", reproduce_arguments.processes, "cells at once")->check(CLI::Range(1, 1024));
+    verb->callback([&] { status = reproduce(registry, reproduce_arguments); });
+  }
+
+  void add_merge(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("merge", "Join the results of shards");
+    verb->add_option("RESULTS", merge_arguments.shards, "results files of shards")->required();
+    verb->add_option("-o,--output", merge_arguments.results, "the joined results file")->required();
+    verb->callback([&] { status = merge_verb(registry, merge_arguments); });
+  }
+
+  void add_report() {
+    CLI::App* verb = app.add_subcommand("report", "Tables, figures and index.html of a results file");
+    verb->add_option("RESULTS", report_arguments.results, "results file")->required();
+    verb->add_option("-o,--output", report_arguments.folder, "folder")->required();
+    verb->callback([&] { status = report(report_arguments); });
+  }
+};
+
+/// CLI11 would only say that a verb is missing.
+void require_known_verb(const CLI::App& app, std::string_view word) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  if (!word.starts_with('-') && std::ranges::find(verbs, word) == verbs.end())
+    throw UsageError(fmt::format("unknown verb '{}'; known are {}", word, fmt::join(verbs, ", ")));
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    Registry registry;
+    register_all(registry);
+    CommandLine command(registry);
+    if (argc > 1) require_known_verb(command.app, argv[1]);
+    try {
+      command.app.parse(argc, argv);
+      return command.status;
+    } catch (const CLI::Success& request) {  // --help
+      return command.app.exit(request);
+    } catch (const CLI::ParseError& error) {
+      return complain(bad_usage, fmt::format("{}; see 'kappabench --help'", error.what()));
+    }
+  } catch (const std::bad_alloc&) {
+    return complain(ran_and_failed, "out of memory");
+  } catch (const std::logic_error& error) {  // std::invalid_argument: unknown ids, bad values
+    return complain(bad_usage, error.what());
+  } catch (const std::exception& error) {
+    return complain(bad_usage, error.what());
+  }
+}
+
+}  // namespace kappabench

@@ -1,0 +1,3 @@
+#include "experiments/program/command_line.hpp"
+
+int main(int argc, char** argv) { return kappabench::run_command_line(argc, argv); }

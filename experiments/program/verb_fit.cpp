@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "datasets/datasets.hpp"
+#include "experiments/program/errors.hpp"
+#include "experiments/program/verbs.hpp"
+#include "experiments/program/write_fits.hpp"
+
+namespace kappabench {
+
+namespace {
+
+Drawing one_drawing(const std::string& points) {
+  std::vector<Drawing> drawings = open_drawings(points);
+  if (drawings.size() != 1)
+    throw UsageError(fmt::format("{}: {} drawings; 'fit' takes one, 'compare' takes many", points, drawings.size()));
+  if (drawings.front().curves.empty()) throw UsageError(fmt::format("{}: no curves; nothing to fit", points));
+  return std::move(drawings.front());
+}
+
+}  // namespace
+
+int fit(const Registry& registry, const FitArguments& arguments) {
+  const SchemePtr scheme = registry.parse(arguments.scheme);
+  const Drawing drawing = one_drawing(arguments.points);
+  std::vector<Fit> fits;
+  for (const Input& input : drawing.curves) fits.push_back(scheme->fit(input));
+  return write_fits(arguments.output, arguments.format, *scheme, fits, arguments.points);
+}
+
+}  // namespace kappabench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reports/store/model.hpp"
+
+namespace kappabench::study {
+
+/// How counts become verdicts on what a paper claims, by the same rules for every paper.
+
+/// The verdict on claim `id` of reports/paper/<paper>.toml, with our number or words and the evidence for it.
+[[nodiscard]] store::ClaimRecord claim(std::string_view paper, std::string_view id, std::string verdict,
+                                       std::string ours, std::string evidence);
+
+/// Share of cases that agree, "1234 of 1240 (99.5 %)".
+[[nodiscard]] std::string share(double agree, double cases);
+
+/// For a statement about every case: one counterexample contradicts it; nothing is shown by no case.
+[[nodiscard]] std::string verdict_for_all(double counterexamples, double cases);
+/// For a statement about what generally happens: reproduced from 95 % of the cases, contradicted below half.
+[[nodiscard]] std::string verdict_in_general(double agree, double cases);
+
+/// For a statement about what happens often or tends to happen: reproduced from two thirds of the cases, contradicted
+/// below half.
+[[nodiscard]] std::string verdict_often(double agree, double cases);
+
+}  // namespace kappabench::study
