@@ -139,10 +139,13 @@ TEST_CASE("cells with one key compute the same thing, and an experiment's cells 
   std::map<std::string, void (*)(const Uses&, store::CellRecord&)> computes;
   for (const Experiment& experiment : all_experiments()) {
     std::set<std::pair<std::string, std::string>> names;
+    std::set<std::string> keys_without_drawings;
     for (const CellJob& job : experiment.jobs({.registry = all_schemes()})) {
       INFO(experiment.id << ": " << job.dataset << ", " << job.label);
       REQUIRE(job.compute != nullptr);
       CHECK(computes.emplace(job.key(), job.compute).first->second == job.compute);
+      // Equal drawings under two names are one cell; anything else that differs must be in the key.
+      if (job.uses.drawings.empty()) CHECK(keys_without_drawings.insert(job.key()).second);
       CHECK(names.emplace(job.dataset, job.label).second);
     }
   }
