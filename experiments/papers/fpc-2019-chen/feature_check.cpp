@@ -13,7 +13,7 @@
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/curve/exact_form.hpp"
 
-namespace kappabench::fpc {
+namespace kappabench::chen {
 namespace {
 
 constexpr double at_point = 1e-6;  // of the mean chord
@@ -166,4 +166,4 @@ class Checker {
 
 FeatureCheck check_features(const Fit& fit) { return Checker(fit).run(); }
 
-}  // namespace kappabench::fpc
+}  // namespace kappabench::chen
