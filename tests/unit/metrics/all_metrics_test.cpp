@@ -140,7 +140,8 @@ TEST_CASE("only closed forms and certified counts are exact", "[metrics]") {
 }
 
 TEST_CASE("jumps of curvature against the length are not exact", "[metrics]") {
-  const Fit fit = fit_of(Curve({bezier({{0, 0}, {1, 0}}), bezier({{1, 0}, {2, 0}})}, {{0, Continuity::g2}}, {}, false));
+  const Fit fit = fit_of(Curve({bezier({{0, 0}, {1, 0}}), bezier({{1, 0}, {2, 0}})}, {{0, Continuity::g2}},
+                               {{0, 0, 0.0}, {1, 1, 1.0}}, false));
   CHECK(measured(fit, "continuity", column::continuity_curvature_jump_g2.name).method == Method::sampled);
   CHECK(measured(fit, "continuity", column::continuity_violations.name).method == Method::sampled);
   CHECK(measured(fit, "continuity", column::continuity_position_gap.name).method == Method::exact);
