@@ -1,9 +1,11 @@
 #include "datasets/write_points.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <sstream>
 
+#include "datasets/fields.hpp"
 #include "datasets/random_points.hpp"
 #include "datasets/random_source.hpp"
 #include "datasets/readers.hpp"
@@ -58,6 +60,20 @@ TEST_CASE("what is written is read back bit for bit", "[datasets]") {
                                     .ids = {}},
                                    {.points = {{-0.0, 7.0}}, .closed = false, .options = {}, .ids = {}}}};
   check_same(parse_plain(written(drawing), "f"), drawing);
+}
+
+TEST_CASE("every number of a point is named once, written and read", "[datasets]") {
+  for (const PointNumber& number : point_numbers) {
+    CAPTURE(number.name);
+    CHECK(std::ranges::count(point_numbers, number.name, &PointNumber::name) == 1);
+    CHECK(std::ranges::count(point_numbers, number.member, &PointNumber::member) == 1);
+    PointOptions one;
+    one.*number.member = 0.5 * number.file_unit;
+    const Drawing drawing{.id = "d", .curves = {{.points = {{0, 0}, {1, 0}}, .options = {one, {}}}}};
+    CHECK(written(drawing).find(std::string(number.name) + "=0.5") != std::string::npos);
+    check_same(parse_plain(written(drawing), "f"), drawing);
+    CHECK(point_keys_text().find(number.name) != std::string::npos);
+  }
 }
 
 TEST_CASE("a tangent that came from a file goes back to the same file", "[datasets]") {

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
 
+#include "metrics/continuity.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/metrics/curves.hpp"
 #include "tests/unit/metrics/schemes.hpp"
@@ -93,13 +95,56 @@ TEST_CASE("every metric fills exactly its columns, on any curve, without throwin
       std::vector<Measurement> row;
       REQUIRE_NOTHROW(row = metric.measure(scheme, fit));
       REQUIRE(row.size() == metric.columns.size());
-      std::set<std::string> expected;
-      std::set<std::string> found;
-      for (const Column& column : metric.columns) expected.insert(column.name);
-      for (const Measurement& m : row) found.insert(m.column);
-      CHECK(expected == found);
+      CHECK(std::ranges::equal(row, metric.columns, {}, &Measurement::column, &Column::name));
+      CHECK(std::ranges::equal(row, metric.columns, {}, &Measurement::unit, &Column::unit));
     }
   }
+}
+
+TEST_CASE("a metric is held to its columns", "[metrics]") {
+  const Column declared{"declared", "1", "help"}, other{"other", "rad", "help"};
+  const Fit fit = fit_of(circle(1.0));
+  const auto giving = [&](std::vector<Measurement> row) {
+    return guarded({.id = "m",
+                    .title = "M",
+                    .version = 1,
+                    .columns = {declared, other},
+                    .measure = [row](const Scheme&, const Fit&) { return row; }})
+        .measure(NoScheme(), fit);
+  };
+  const Measurement first = declared(1.0, Method::exact), second = other(2.0, Method::sampled);
+  CHECK(giving({first, second}).size() == 2);
+  CHECK(second.unit == "rad");
+  CHECK_THROWS_AS(giving({first}), std::logic_error);
+  CHECK_THROWS_AS(giving({second, first}), std::logic_error);
+  CHECK_THROWS_AS(giving({first, second, second}), std::logic_error);
+  CHECK_THROWS_AS(giving({first, Column{"undeclared", "1", "help"}(0.0, Method::exact)}), std::logic_error);
+}
+
+TEST_CASE("only closed forms and certified counts are exact", "[metrics]") {
+  const Fit fit = fit_of(Curve({bezier({{0, 0}, {1, 1}, {2, 0}}), bezier({{2, 0}, {3, -1}, {4, 0}})},
+                               {{0, Continuity::g1}}, {{0, 0, 0.0}, {1, 0, 0.5}, {2, 1, 0.5}, {3, 1, 1.0}}, false));
+  std::set<std::string> exact;
+  for (const Metric& metric : all_metrics())
+    if (!metric.refits)
+      for (const Measurement& m : metric.measure(NoScheme(), fit))
+        if (m.method == Method::exact) exact.insert(m.column);
+  CHECK(exact == std::set<std::string>{"intervals_per_segment_mean", "intervals_per_segment_max",
+                                       "segments_with_at_most_two_intervals", "curvature_extrema",
+                                       "prominent_intervals_per_segment_mean", "prominent_intervals_per_segment_max",
+                                       "prominent_extrema", "continuity_position_gap", "continuity_angle_jump",
+                                       "continuity_curvature_jump_g2", "continuity_curvature_jump_equal_magnitude",
+                                       "continuity_signed_jump_equal_magnitude", "continuity_curvature_jump_all",
+                                       "continuity_first_derivative_jump", "continuity_second_derivative_jump",
+                                       "continuity_violations", "inflections"});
+}
+
+TEST_CASE("jumps of curvature against the length are not exact", "[metrics]") {
+  const Fit fit = fit_of(Curve({bezier({{0, 0}, {1, 0}}), bezier({{1, 0}, {2, 0}})}, {{0, Continuity::g2}},
+                               {{0, 0, 0.0}, {1, 1, 1.0}}, false));
+  CHECK(measured(fit, "continuity", column::continuity_curvature_jump_g2.name).method == Method::sampled);
+  CHECK(measured(fit, "continuity", column::continuity_violations.name).method == Method::sampled);
+  CHECK(measured(fit, "continuity", column::continuity_position_gap.name).method == Method::exact);
 }
 
 TEST_CASE("curves that cannot be measured have NaN everywhere", "[metrics]") {
