@@ -240,7 +240,7 @@ TEST_CASE("h5py reads the file without our code") {
     WARN("python3 has no h5py: reading from Python is not tested");
     return;
   }
-  const auto script = papers_folder().parent_path() / "examples" / "read_results.py";
+  const auto script = std::filesystem::path(KAPPABENCH_SOURCE) / "reports/examples/read_results.py";
   const auto command = fmt::format("{} '{}' '{}' >'{}' 2>&1", python, script.string(), file.string(), output.string());
   const int status = std::system(command.c_str());
   const std::string said = synthetic::read_text(output);

@@ -1,20 +1,15 @@
-#include <fstream>
-#include <set>
 #include <string>
 
 #include "reports/paper.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/reports/synthetic.hpp"
 
 using namespace kappabench;
 
 namespace {
 
 std::string error_for(const std::string& text) {
-  const ScratchFolder folder;
-  std::ofstream(folder.path() / "p.toml") << text;
   try {
-    (void)read_paper(folder.path() / "p.toml");
+    (void)parse_paper(text, "p.toml");
   } catch (const PaperError& error) {
     return error.what();
   }
@@ -28,7 +23,7 @@ const std::string head = "[paper]\ntitle = \"T\"\ncitation = \"C\"\n";
 }  // namespace
 
 TEST_CASE("Every paper of the house can be read and says where each claim stands") {
-  const auto papers = read_papers(papers_folder());
+  const std::vector<Paper>& papers = printed_papers();
   REQUIRE_FALSE(papers.empty());
   for (const auto& paper : papers) {
     INFO(paper.id);
@@ -42,18 +37,23 @@ TEST_CASE("Every paper of the house can be read and says where each claim stands
 }
 
 TEST_CASE("A paper is read as it is written") {
-  const ScratchFolder folder;
-  std::ofstream(folder.path() / "some-paper.toml")
-      << head << "[[claim]]\nid = \"a\"\nplace = \"Fig. 1\"\ntext = \"It holds.\"\nprinted = \"3\"\n"
-      << "[[table]]\nid = \"t\"\nplace = \"Table 1\"\ntitle = \"N\"\ncolumns = [\"x\", \"y\"]\nrows = [[\"1\", "
-         "\"0.50\"]]\n";
-  const Paper paper = read_paper(folder.path() / "some-paper.toml");
+  const std::string text =
+      head +
+      "[[claim]]\nid = \"a\"\nplace = \"Fig. 1\"\ntext = \"It holds.\"\nprinted = \"3\"\n"
+      "[[table]]\nid = \"t\"\nplace = \"Table 1\"\ntitle = \"N\"\ncolumns = [\"x\", \"y\"]\nrows = [[\"1\", "
+      "\"0.50\"]]\n";
+  const Paper paper = parse_paper(text, "reports/paper/some-paper.toml");
   CHECK(paper.id == "some-paper");
   CHECK(paper.title == "T");
   REQUIRE(paper.claims.size() == 1);
   CHECK(paper.claims[0].printed == "3");
   REQUIRE(paper.tables.size() == 1);
   CHECK(paper.tables[0].rows[0][1] == "0.50");
+}
+
+TEST_CASE("A paper that is not there is named with its file") {
+  CHECK(printed_paper("fpc-2019-chen").id == "fpc-2019-chen");
+  CHECK_THROWS_WITH(printed_paper("nobody-1900"), "reports/paper/nobody-1900.toml: there is no such file");
 }
 
 TEST_CASE("What is wrong in a file of claims is told with its line") {
