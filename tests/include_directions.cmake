@@ -2,14 +2,15 @@
 # Run as: cmake -DROOT=<checkout> -P tests/include_directions.cmake
 
 file(GLOB scheme_folders LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/schemes/*)
-list(FILTER scheme_folders EXCLUDE REGEX "schemes/(curve|segments|api|CMakeLists.txt)$")
+list(FILTER scheme_folders EXCLUDE REGEX "schemes/(numerics|curve|segments|api|CMakeLists.txt)$")
 
-set(rooms schemes/curve schemes/segments schemes/api ${scheme_folders} metrics datasets reports experiments)
-set(allowed_schemes/curve "")
-set(allowed_schemes/segments schemes/curve)
+set(rooms schemes/numerics schemes/curve schemes/segments schemes/api ${scheme_folders} metrics datasets reports experiments)
+set(allowed_schemes/numerics "")
+set(allowed_schemes/curve schemes/numerics)
+set(allowed_schemes/segments schemes/numerics schemes/curve)
 set(allowed_schemes/api schemes/curve)
 foreach(folder ${scheme_folders})
-  set(allowed_${folder} schemes/curve schemes/segments schemes/api)
+  set(allowed_${folder} schemes/numerics schemes/curve schemes/segments schemes/api)
 endforeach()
 set(allowed_metrics schemes/curve schemes/api)
 set(allowed_datasets schemes/api schemes/curve/vec.hpp)

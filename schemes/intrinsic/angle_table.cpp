@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench::intrinsic {
 

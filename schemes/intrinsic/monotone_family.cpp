@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "schemes/intrinsic/fixed_knots.hpp"
-#include "schemes/intrinsic/newton.hpp"
 #include "schemes/intrinsic/viable_region.hpp"
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/damped_newton.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -236,9 +236,9 @@ class Continuation {
       const bool arrived = to_data && s == 1.0;
       const StandardData goal = arrived ? data_ : at_place(data_, place);
       const auto equations = [&](const Eigen::Vector3d& u) { return member_equations({u[0], u[1], u[2]}, goal); };
-      return newton(equations, guess, {0.7, 1.5, 1.5}, arrived ? exact_ : on_the_way, 8);
+      return damped_newton(equations, guess, {0.7, 1.5, 1.5}, arrived ? exact_ : on_the_way, 8);
     };
-    return follow(solve_at, x, std::min(1.0, 3.0 / std::max(way, 1e-300)), 1e-4);
+    return follow_solution(solve_at, x, std::min(1.0, 3.0 / std::max(way, 1e-300)), 1e-4);
   }
 
   StandardData data_;
@@ -275,10 +275,10 @@ StandardCurve member_curve(const FamilyMember& member, double start, double end)
   return curve;
 }
 
-Equations member_equations(const FamilyMember& member, const StandardData& data) {
+ThreeEquations member_equations(const FamilyMember& member, const StandardData& data) {
   const Dual log_length(member.log_length, 0), y(member.y, 1), z(member.z, 2);
   const std::array<Dual, 3> e = equations_of(log_length, shape_of(y, z), data);
-  Equations equations;
+  ThreeEquations equations;
   for (int i = 0; i < 3; ++i) {
     equations.value[i] = e[static_cast<std::size_t>(i)].a;
     equations.jacobian.row(i) = e[static_cast<std::size_t>(i)].v.transpose();

@@ -3,7 +3,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <utility>
 
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
 
 namespace kappabench::pkappa {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "schemes/segments/fresnel.hpp"
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/fresnel.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench {
 
