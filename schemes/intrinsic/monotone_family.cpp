@@ -11,6 +11,7 @@
 #include "schemes/intrinsic/viable_region.hpp"
 #include "schemes/numerics/damped_newton.hpp"
 #include "schemes/numerics/gauss.hpp"
+#include "schemes/numerics/logistic.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -23,25 +24,6 @@ constexpr std::size_t spans = 5;
 
 /// Value and derivatives by log_length, y, z.
 using Dual = ceres::Jet<double, 3>;
-
-double scalar(double x) { return x; }
-double scalar(const Dual& x) { return x.a; }
-
-/// 1 / (1 + exp(-x)), with full relative precision on both sides.
-template <class T>
-T logistic(const T& x) {
-  using std::exp;
-  if (scalar(x) >= 0.0) return 1.0 / (1.0 + exp(-x));
-  const T e = exp(x);
-  return e / (1.0 + e);
-}
-
-/// log(1 + exp(x)).
-template <class T>
-T softplus(const T& x) {
-  using std::exp, std::log1p;
-  return scalar(x) > 0.0 ? x + log1p(exp(-x)) : log1p(exp(x));
-}
 
 /// A number in [0, 1] and what it lacks to 1, each with full relative precision.
 template <class T>
@@ -161,9 +143,9 @@ std::array<T, 3> equations_of(const T& log_length, const Shape<T>& shape, const 
                     sum);
     };
     double turning = 0.0;
-    for (std::size_t i = 0; i <= degree; ++i) turning += std::abs(scalar(theta[i + 1]) - scalar(theta[i]));
+    for (std::size_t i = 0; i <= degree; ++i) turning += std::abs(theta[i + 1].a - theta[i].a);
     const int panels = 1 + static_cast<int>(std::min(0.4 * turning, 1e3));
-    for (int k = 0; k < panels; ++k) for_gauss_nodes<16>(static_cast<double>(k) / panels, 1.0 / panels, add);
+    for_composite_gauss_nodes<16>(panels, add);
     across += shape.width[j] * sum.sine;
     along += shape.width[j] * sum.cosine;
   }
