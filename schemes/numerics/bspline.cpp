@@ -1,4 +1,4 @@
-#include "schemes/segments/bspline.hpp"
+#include "schemes/numerics/bspline.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
-namespace kappabench::intrinsic {
+namespace kappabench {
 
 /// Three equations and their derivatives at some values of the unknowns.
-struct Equations {
+struct ThreeEquations {
   Eigen::Vector3d value;
   Eigen::Matrix3d jacobian;
 };
@@ -24,14 +24,15 @@ struct NewtonResult {
 /// Newton's method on three equations, no unknown changing by more than its entry of `largest_step` at a time, and each
 /// step halved until the residual falls. Converged below `tolerance`, which the caller sets to what rounding allows.
 template <class F>
-[[nodiscard]] NewtonResult newton(const F& equations, const Eigen::Vector3d& start, const Eigen::Vector3d& largest_step,
-                                  double tolerance, int most_iterations = 40) {
-  const auto size = [](const Equations& e) {
+[[nodiscard]] NewtonResult damped_newton(const F& equations, const Eigen::Vector3d& start,
+                                         const Eigen::Vector3d& largest_step, double tolerance,
+                                         int most_iterations = 40) {
+  const auto size = [](const ThreeEquations& e) {
     const double r = e.value.lpNorm<Eigen::Infinity>();
     return std::isfinite(r) ? r : HUGE_VAL;
   };
   Eigen::Vector3d x = start;
-  Equations at = equations(x);
+  ThreeEquations at = equations(x);
   NewtonResult result{x, size(at), 0, false};
   while (result.residual > tolerance && result.iterations < most_iterations && std::isfinite(result.residual)) {
     Eigen::Vector3d step = -at.jacobian.partialPivLu().solve(at.value);
@@ -41,7 +42,7 @@ template <class F>
     bool fell = false;
     for (int halvings = 0; halvings < 12 && !fell; ++halvings, step *= 0.5) {
       const Eigen::Vector3d next = x + step;
-      Equations tried = equations(next);
+      ThreeEquations tried = equations(next);
       if (size(tried) >= result.residual) continue;
       fell = true;
       x = next;
@@ -61,8 +62,8 @@ template <class F>
 /// failure. The result's iterations are those of all steps; not converged if the step falls below `least_step` or after
 /// 200 steps.
 template <class Solve>
-[[nodiscard]] NewtonResult follow(const Solve& solve_at, const Eigen::Vector3d& x, double first_step = 1.0,
-                                  double least_step = 1e-4) {
+[[nodiscard]] NewtonResult follow_solution(const Solve& solve_at, const Eigen::Vector3d& x, double first_step = 1.0,
+                                           double least_step = 1e-4) {
   constexpr int most_tries = 200;
   struct Known {
     double s;
@@ -93,4 +94,4 @@ template <class Solve>
   return result;
 }
 
-}  // namespace kappabench::intrinsic
+}  // namespace kappabench

@@ -1,8 +1,8 @@
-#include "schemes/intrinsic/sine_cosine.hpp"
+#include "schemes/numerics/sine_cosine.hpp"
 
-#include "schemes/intrinsic/batch_sine_cosine.hpp"
+#include "schemes/numerics/batch_sine_cosine.hpp"
 
-namespace kappabench::intrinsic {
+namespace kappabench {
 
 #ifdef KAPPABENCH_WITH_AVX2
 void sine_cosine_avx2(std::span<const double> angle, std::span<double> sine, std::span<double> cosine);
@@ -22,4 +22,4 @@ void sine_cosine(Sines sines, std::span<const double> angle, std::span<double> s
   batch_sine_cosine<xsimd::default_arch>(angle, sine, cosine);
 }
 
-}  // namespace kappabench::intrinsic
+}  // namespace kappabench

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "schemes/curve/binary_form.hpp"
-#include "schemes/curve/bounded.hpp"
+#include "schemes/numerics/binary_form.hpp"
+#include "schemes/numerics/bounded.hpp"
 
 namespace kappabench {
 

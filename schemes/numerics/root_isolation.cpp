@@ -1,4 +1,4 @@
-#include "schemes/curve/root_isolation.hpp"
+#include "schemes/numerics/root_isolation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "schemes/segments/fresnel.hpp"
+#include "schemes/numerics/fresnel.hpp"
 
 #include <array>
 #include <cmath>

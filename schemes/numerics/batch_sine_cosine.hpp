@@ -5,7 +5,7 @@
 #include <span>
 #include <xsimd/xsimd.hpp>
 
-namespace kappabench::intrinsic {
+namespace kappabench {
 
 /// For the instruction set `Arch` of xsimd: compiled once for each, in a file with that set's compiler options.
 template <class Arch>
@@ -23,4 +23,4 @@ void batch_sine_cosine(std::span<const double> angle, std::span<double> sine, st
   }
 }
 
-}  // namespace kappabench::intrinsic
+}  // namespace kappabench

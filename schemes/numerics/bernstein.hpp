@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace kappabench::pkappa {
+namespace kappabench {
 
 /// Values at t of the Bernstein basis of degree Degree.
 template <int Degree>
@@ -31,4 +31,4 @@ template <int Degree>
   }
 }
 
-}  // namespace kappabench::pkappa
+}  // namespace kappabench

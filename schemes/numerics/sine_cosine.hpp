@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace kappabench::intrinsic {
+namespace kappabench {
 
 /// Who computes sines and cosines: the C library one by one, or xsimd as many at a time as the processor's vectors hold
 /// (found out when the program runs). Both are good to the last digit or two; they need not agree in it.
@@ -11,4 +11,4 @@ enum class Sines { library, vectorised };
 /// The spans have equal length.
 void sine_cosine(Sines sines, std::span<const double> angle, std::span<double> sine, std::span<double> cosine);
 
-}  // namespace kappabench::intrinsic
+}  // namespace kappabench
