@@ -1,4 +1,4 @@
-#include "experiments/papers/pkappa-2024-wang/curve_findings.hpp"
+#include "experiments/papers/pkappa-2024-wang/visible_flaws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "metrics/curvature_profile.hpp"
 #include "metrics/node_pieces.hpp"
 
-namespace kappabench {
+namespace kappabench::wang {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::size_t turns_inside(const Measured& m, const std::vector<Part>& parts) {
   return turning_points(profile_within(m.curve, m.profile, parts), m.profile.unit, m.prominence()).size();
 }
 
-void find_jumps(const Measured& m, double chord, Findings& found) {
+void find_jumps(const Measured& m, double chord, VisibleFlaws& found) {
   for (const JointJump& jump : joint_jumps(m.curve, chord)) {
     ++found.joints;
     if (!(jump.curvature > visible_jump + jump.curvature_uncertainty)) continue;
@@ -65,7 +65,7 @@ double distance_to(const std::vector<double>& places, double s, const Measured& 
   return nearest;
 }
 
-void find_points_off(const Measured& m, const Input& input, Findings& found) {
+void find_points_off(const Measured& m, const Input& input, VisibleFlaws& found) {
   std::vector<double> extrema, peaks;
   for (const TurningPoint& turn : turning_points(m.profile, m.curve.closed(), m.prominence())) {
     const ProfilePoint& point = m.profile.points[turn.index];
@@ -81,14 +81,14 @@ void find_points_off(const Measured& m, const Input& input, Findings& found) {
   }
 }
 
-void find_many_intervals(const Measured& m, Findings& found) {
+void find_many_intervals(const Measured& m, VisibleFlaws& found) {
   for (const CentredPiece& piece : centred_pieces(m.curve, m.arcs)) {
     ++found.pieces;
     if (turns_inside(m, piece.parts) > 1) found.many_intervals.emplace_back(piece.start, piece.end);
   }
 }
 
-void find_alternating(const Measured& m, Findings& found) {
+void find_alternating(const Measured& m, VisibleFlaws& found) {
   const std::size_t n = m.nodes.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (i + 1 == n && !m.curve.closed()) continue;
@@ -104,11 +104,11 @@ void find_alternating(const Measured& m, Findings& found) {
 
 }  // namespace
 
-Findings findings(const Fit& fit) {
+VisibleFlaws visible_flaws(const Fit& fit) {
   const Curve& curve = *fit.curve;
   const ArcMap arcs(curve);
   const Measured measured{curve, curvature_profile(curve), arcs, nodes_in_order(curve, arcs)};
-  Findings found;
+  VisibleFlaws found;
   find_jumps(measured, mean_chord(fit.input), found);
   find_points_off(measured, fit.input, found);
   find_many_intervals(measured, found);
@@ -116,4 +116,4 @@ Findings findings(const Fit& fit) {
   return found;
 }
 
-}  // namespace kappabench
+}  // namespace kappabench::wang

@@ -5,7 +5,7 @@
 
 #include "schemes/api/fit.hpp"
 
-namespace kappabench {
+namespace kappabench::wang {
 
 /// What Wang et al. 2024 mark by hand in Fig. 14, found in any curve. What counts is what an eye could see.
 
@@ -13,7 +13,7 @@ inline constexpr double visible_jump = 1e-3;      ///< of curvature at a joint, 
 inline constexpr double visible_offset = 0.05;    ///< arc length to an extremum over the local chord
 inline constexpr double visible_reversal = 0.01;  ///< of curvature, over its range on the curve
 
-struct Findings {
+struct VisibleFlaws {
   int joints = 0;
   std::vector<Vec2> jumps;        ///< joints where curvature jumps
   int jumps_at_sign_changes = 0;  ///< of these, where its sign changes too
@@ -28,6 +28,6 @@ struct Findings {
 };
 
 /// `fit` has a curve.
-[[nodiscard]] Findings findings(const Fit& fit);
+[[nodiscard]] VisibleFlaws visible_flaws(const Fit& fit);
 
-}  // namespace kappabench
+}  // namespace kappabench::wang
