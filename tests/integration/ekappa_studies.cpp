@@ -13,6 +13,7 @@
 
 using namespace kappabench;
 using namespace kappabench::test;
+using namespace kappabench::miura;
 
 namespace {
 
