@@ -36,7 +36,7 @@ store::CellRecord compute(const CellJob& job) {
 
 CellJob other_job(std::string dataset, const SchemePtr& scheme, const std::string& what,
                   std::function<void(store::CellRecord&)> compute) {
-  return {.dataset = std::move(dataset),
+  return {.dataset = dataset,
           .label = label_of(*scheme),
           .uses = {.work = what, .schemes = {scheme}, .words = {{"dataset", dataset}}},
           .compute = nullptr,

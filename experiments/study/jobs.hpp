@@ -24,15 +24,16 @@ template <void (*Measure)(const Uses&, Notes&)>
           }};
 }
 
-/// The same for a `Measure` of one curve, `void(const Uses&, const Input&, Notes&)`, called for every curve of the
-/// drawings.
+template <void (*Measure)(const Uses&, const Input&, Notes&)>
+void measure_every_curve(const Uses& uses, Notes& notes) {
+  for (const Drawing& drawing : uses.drawings)
+    for (const Input& input : drawing.curves) Measure(uses, input, notes);
+}
+
+/// The same for a `Measure` of one curve, called for every curve of the drawings.
 template <void (*Measure)(const Uses&, const Input&, Notes&)>
 [[nodiscard]] CellJob curves_job(Uses uses, std::string dataset = {}, std::string label = {}) {
-  constexpr auto every_curve = [](const Uses& used, Notes& notes) {
-    for (const Drawing& drawing : used.drawings)
-      for (const Input& input : drawing.curves) Measure(used, input, notes);
-  };
-  return numbers_job<+every_curve>(std::move(uses), std::move(dataset), std::move(label));
+  return numbers_job<measure_every_curve<Measure>>(std::move(uses), std::move(dataset), std::move(label));
 }
 
 /// Is the fit one to count? Converged, with a curve.

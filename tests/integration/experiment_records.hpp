@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/program/scratch_folder.hpp"
+#include "experiments/run/cell.hpp"
 #include "experiments/run/experiment.hpp"
 #include "experiments/run/runner.hpp"
 #include "reports/paper.hpp"
@@ -25,13 +26,18 @@ namespace kappabench::test {
 inline store::ExperimentRecord computed(const std::string& id, const Context& context = {.registry = all_schemes()}) {
   store::ExperimentRecord record{.id = id};
   for (const CellJob& job : find_experiment(id).jobs(context)) {
-    store::CellRecord cell = job.compute();
-    cell.dataset = job.dataset;
-    cell.scheme = job.scheme;
-    cell.parameters = job.parameters;
-    cell.label = job.label;
+    store::CellRecord cell = compute(job);
+    name_cell(cell, job);
     record.cells.push_back(std::move(cell));
   }
+  return record;
+}
+
+/// The cells of an experiment without their results: nothing is computed.
+inline store::ExperimentRecord blank(const std::string& id, const Context& context = {.registry = all_schemes()}) {
+  store::ExperimentRecord record{.id = id};
+  for (const CellJob& job : find_experiment(id).jobs(context))
+    name_cell(record.cells.emplace_back(store::CellRecord{.outcome = "converged"}), job);
   return record;
 }
 
@@ -88,6 +94,10 @@ inline void set_column(store::ExperimentRecord& record, std::string_view column,
   for (store::CellRecord& cell : record.cells) {
     if (!scheme.empty() && cell.scheme != scheme) continue;
     set(cell.measurements);
+    for (store::TableRecord& rows : cell.rows)
+      for (store::TableColumn& numbers : rows.columns)
+        if (numbers.name == column && !numbers.method.empty())
+          std::ranges::fill(std::get<std::vector<double>>(numbers.cells), value);
     for (store::CurveRecord& curve : cell.curves) set(curve.measurements);
   }
 }

@@ -23,13 +23,8 @@ const Plan small_plan{.seed = 1,
                                        .datasets = {"bird", "star"},
                                        .metrics = {"monotone_intervals"}}}};
 
-CellJob job(std::string key, std::function<store::CellRecord()> compute) {
-  return {.dataset = "d",
-          .scheme = "s",
-          .parameters = "",
-          .label = "s",
-          .key = std::move(key),
-          .compute = std::move(compute)};
+CellJob job(std::string work, void (*compute)(const Uses&, store::CellRecord&)) {
+  return {.dataset = "d", .label = "s", .uses = {.work = std::move(work)}, .compute = compute};
 }
 
 /// Timings are the one thing that differs from run to run.
@@ -86,11 +81,11 @@ TEST_CASE("shards join to the same data as one run, and so does a run on one pro
 TEST_CASE("a resumed run computes only what is not there") {
   const ScratchFolder folder;
   const auto compute_count = [&folder] { return std::filesystem::file_size(folder.path() / "count"); };
-  const auto count_one = [&folder] {
-    std::ofstream(folder.path() / "count", std::ios::app) << '.';
-    return store::CellRecord{};
+  const auto count_one = [](const Uses& uses, store::CellRecord&) {
+    std::ofstream(uses.words.at("file"), std::ios::app) << '.';
   };
-  const std::vector<CellJob> jobs{job("a", count_one), job("b", count_one)};
+  std::vector<CellJob> jobs{job("a", count_one), job("b", count_one)};
+  for (CellJob& each : jobs) each.uses.words["file"] = (folder.path() / "count").string();
   const WorkerOptions options{.processes = 1, .folder = folder.path()};
   compute_cells(std::span(jobs).first(1), options, [](const CellJob&) {});
   CHECK(compute_count() == 1);
@@ -100,22 +95,11 @@ TEST_CASE("a resumed run computes only what is not there") {
 
 TEST_CASE("a cell that crashes, throws or hangs is a row, and takes no other with it") {
   const ScratchFolder folder;
-  const std::vector<CellJob> jobs{job("crash",
-                                      []() -> store::CellRecord {
-                                        std::raise(SIGKILL);
-                                        return {};
-                                      }),
-                                  job("throw", []() -> store::CellRecord { throw std::runtime_error("no such luck"); }),
-                                  job("hang",
-                                      []() -> store::CellRecord {
-                                        std::this_thread::sleep_for(std::chrono::hours(1));
-                                        return {};
-                                      }),
-                                  job("fine", [] {
-                                    store::CellRecord cell;
-                                    cell.outcome = "converged";
-                                    return cell;
-                                  })};
+  const std::vector<CellJob> jobs{
+      job("crash", [](const Uses&, store::CellRecord&) { std::raise(SIGKILL); }),
+      job("throw", [](const Uses&, store::CellRecord&) { throw std::runtime_error("no such luck"); }),
+      job("hang", [](const Uses&, store::CellRecord&) { std::this_thread::sleep_for(std::chrono::hours(1)); }),
+      job("fine", [](const Uses&, store::CellRecord&) {})};
   compute_cells(jobs, {.processes = 4, .timeout = 1.0, .folder = folder.path()}, [](const CellJob&) {});
   const auto cell = [&](std::size_t i) { return store::read_cell(cell_file(folder.path(), jobs[i])); };
   CHECK(cell(0).outcome == "crashed");
@@ -123,5 +107,5 @@ TEST_CASE("a cell that crashes, throws or hangs is a row, and takes no other wit
   CHECK(cell(1).message == "no such luck");
   CHECK(cell(2).outcome == "timed_out");
   CHECK(cell(3).outcome == "converged");
-  CHECK(cell(3).scheme == "s");
+  CHECK(cell(3).label == "s");
 }

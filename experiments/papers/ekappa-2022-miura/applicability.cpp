@@ -96,7 +96,6 @@ CellJob job(std::string dataset, std::string label, const SchemePtr& scheme,
   CellJob job =
       other_job(std::move(dataset), scheme, fmt::format("applicability {} of {}", version, label), std::move(compute));
   job.label = std::move(label);
-  job.parameters.clear();
   return job;
 }
 
