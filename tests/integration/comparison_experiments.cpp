@@ -8,7 +8,7 @@
 
 #include "experiments/papers/pkappa-2024-wang/visible_flaws.hpp"
 #include "experiments/study/curve_marks.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "reports/paper.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "experiments/papers/ekappa-2022-miura/common.hpp"
+#include "experiments/study/distance.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/study.hpp"
 #include "metrics/correspondence.hpp"
 
 namespace kappabench::miura {

@@ -11,7 +11,7 @@
 #include "experiments/papers/intrinsic-2022-yoshida/inputs.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/intrinsic/edit.hpp"
 #include "schemes/segments/intrinsic.hpp"

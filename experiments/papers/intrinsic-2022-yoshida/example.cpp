@@ -12,7 +12,7 @@
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
