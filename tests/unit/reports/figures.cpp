@@ -136,7 +136,7 @@ TEST_CASE("A slope is the exponent on log axes") {
   auto from = experiment();
   std::vector<double> n, t;
   for (int i = 1; i <= 6; ++i) n.push_back(i), t.push_back(3.0 * i * i);
-  from.tables = {{"t", "", "", {{"n", "1", n, true}, {"time", "s", t, false}}}};
+  from.tables = {{"t", "", "", {{"n", "1", "", n, true}, {"time", "s", "", t, false}}}};
   auto panel = panel_of("graph", {});
   panel.table = "t", panel.x = "n", panel.y = {"time"};
   panel.log_x = panel.log_y = panel.slope = true;

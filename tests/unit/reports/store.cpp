@@ -108,11 +108,11 @@ TEST_CASE("The store keeps NaN, infinity, odd names and long words") {
   experiment.tables.push_back({"t/1",
                                "κ–curves",
                                "",
-                               {{"ratio a/b", "",
+                               {{"ratio a/b", "", "",
                                  std::vector<double>{std::numeric_limits<double>::quiet_NaN(),
                                                      -std::numeric_limits<double>::infinity(), 5e-324},
                                  false},
-                                {"wörter", "", std::vector<std::string>{"", "é", std::string(70000, 'w')}, true}}});
+                                {"wörter", "", "", std::vector<std::string>{"", "é", std::string(70000, 'w')}, true}}});
   store::write_results(file, results);
   const auto again = store::read_results(file);
   const auto& columns = again.experiments.at(0).tables.at(0).columns;

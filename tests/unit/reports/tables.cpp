@@ -16,9 +16,9 @@ store::TableRecord awkward() {
   return {"odd",
           "Title with 50% & more",
           "see x_1",
-          {{"scheme_id", "", std::vector<std::string>{"a|b", "say \"hi\", you", "c\\d{e}", "two\nlines"}, false},
-           {"energy", "1/length", std::vector<double>{0.1, nan, -1.23456e-7, inf}, false},
-           {"count", "1", std::vector<double>{12345678, 0, -3, nan}, true}}};
+          {{"scheme_id", "", "", std::vector<std::string>{"a|b", "say \"hi\", you", "c\\d{e}", "two\nlines"}, false},
+           {"energy", "1/length", "", std::vector<double>{0.1, nan, -1.23456e-7, inf}, false},
+           {"count", "1", "", std::vector<double>{12345678, 0, -3, nan}, true}}};
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST_CASE("CSV follows RFC 4180 and keeps every bit") {
       "\"two\nlines\",inf,\r\n";
   CHECK(to_csv(awkward()) == expected);
   store::TableRecord table = awkward();
-  table.columns = {{"v", "", std::vector<double>{0.1 + 0.2, 5e-324, 1.0 / 3.0}, false}};
+  table.columns = {{"v", "", "", std::vector<double>{0.1 + 0.2, 5e-324, 1.0 / 3.0}, false}};
   const std::string csv = to_csv(table);
   CHECK(std::stod(csv.substr(3)) == 0.1 + 0.2);
 }
@@ -67,8 +67,8 @@ TEST_CASE("Plain text is aligned by characters, not bytes") {
   const store::TableRecord table{"t",
                                  "",
                                  "",
-                                 {{"name", "", std::vector<std::string>{"é", "long name"}, false},
-                                  {"n", "1", std::vector<double>{1, std::nan("")}, true}}};
+                                 {{"name", "", "", std::vector<std::string>{"é", "long name"}, false},
+                                  {"n", "1", "", std::vector<double>{1, std::nan("")}, true}}};
   CHECK(to_text(table) ==
         "name       n\n"
         "---------  -\n"
@@ -94,6 +94,6 @@ TEST_CASE("Columns of unequal length are refused by name") {
 TEST_CASE("A table without columns or rows is still a table") {
   store::TableRecord table{"t", "T", "", {}};
   for (const auto format : {to_markdown, to_csv, to_latex, to_text}) CHECK_NOTHROW(format(table));
-  table.columns = {{"a", "", std::vector<double>{}, false}};
+  table.columns = {{"a", "", "", std::vector<double>{}, false}};
   CHECK(to_csv(table) == "a\r\n");
 }
