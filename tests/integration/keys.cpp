@@ -31,7 +31,9 @@ Registry with_next_version_of(std::string_view id) {
   Registry registry;
   for (SchemeInfo info : all_schemes().list()) {
     if (info.id != id) {
-      registry.add(info, [id_of = info.id](const Parameters& p) { return all_schemes().create(id_of, p.values()); });
+      registry.add(info, [id_of = info.id](const Parameters& p) {
+        return all_schemes().create(id_of, {p.values().begin(), p.values().end()});
+      });
       continue;
     }
     ++info.version;
