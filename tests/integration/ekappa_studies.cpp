@@ -1,6 +1,7 @@
 // The studies of the εκ paper: verdicts follow the cells, runs repeat, timings are complete.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "experiments/papers/ekappa-2022-miura/applicability_bases.hpp"
 #include "experiments/papers/ekappa-2022-miura/basis_identities.hpp"
@@ -17,15 +18,24 @@ using namespace kappabench::miura;
 
 namespace {
 
-/// The one number of a column in a cell.
-double& measurement(store::CellRecord& cell, const std::string& column) {
-  std::vector<double*> found;
+/// A column of a cell's rows.
+template <class Value = double>
+std::vector<Value>& column_in(store::CellRecord& cell, std::string_view name) {
   for (store::TableRecord& rows : cell.rows)
-    for (store::TableColumn& numbers : rows.columns)
-      if (numbers.name == column && !numbers.method.empty())
-        for (double& number : std::get<std::vector<double>>(numbers.cells)) found.push_back(&number);
-  REQUIRE(found.size() == 1);
-  return *found.front();
+    for (store::TableColumn& column : rows.columns)
+      if (column.name == name) return std::get<std::vector<Value>>(column.cells);
+  FAIL("no column " << name);
+  throw std::logic_error("unreachable");
+}
+
+double total(const store::CellRecord& cell, const study::Quantity& what) { return study::Rows({cell}).total(what); }
+
+/// How far a statement about the bases is from holding.
+double& deviation_of(store::CellRecord& identities, std::string_view statement) {
+  const auto& statements = column_in<std::string>(identities, "statement");
+  const auto found = std::ranges::find(statements, statement);
+  REQUIRE(found != statements.end());
+  return column_in(identities, "largest deviation")[static_cast<std::size_t>(found - statements.begin())];
 }
 
 store::CellRecord& cell_of(store::ExperimentRecord& record, const std::string& dataset) {
@@ -44,23 +54,21 @@ TEST_CASE("pinned points: the verdict follows the counts") {
   CHECK(record.tables == run_one(planned).tables);
   REQUIRE(record.cells.size() == 4);
 
-  double pinned = 0.0;
-  for (auto& cell : record.cells) {
-    CHECK(measurement(cell, "points") == measurement(cell, "pinned") + measurement(cell, "at inflection") +
-                                             measurement(cell, "peaks") + measurement(cell, "valleys") +
-                                             measurement(cell, "neither"));
-    CHECK(measurement(cell, "valleys") == 0.0);  // Miura 2022, Appendix A.2: one extremum, a maximum
-    pinned += measurement(cell, "pinned");
+  double all_pinned = 0.0;
+  for (const auto& cell : record.cells) {
+    CHECK(total(cell, points) == total(cell, pinned) + total(cell, at_inflection) + total(cell, peaks) +
+                                     total(cell, valleys) + total(cell, neither));
+    CHECK(total(cell, valleys) == 0.0);  // Miura 2022, Appendix A.2: one extremum, a maximum
+    all_pinned += total(cell, pinned);
   }
-  CHECK(verdict(record, "extremum-at-points") == (pinned > 0.0 ? "contradicted" : "reproduced"));
+  CHECK(column_in(record.cells[1], points.name).size() == 4);  // a row a drawing
+  CHECK(verdict(record, "extremum-at-points") == (all_pinned > 0.0 ? "contradicted" : "reproduced"));
 
-  for (auto& cell : record.cells) {
-    measurement(cell, "peaks") = measurement(cell, "points");
-    for (const char* other : {"pinned", "at inflection", "neither"}) measurement(cell, other) = 0.0;
-  }
+  for (auto& cell : record.cells) column_in(cell, peaks.name) = column_in(cell, points.name);
+  for (const auto& other : {pinned, at_inflection, neither}) set_column(record, other.name, 0.0);
   record = concluded(record);
   CHECK(verdict(record, "extremum-at-points") == "reproduced");
-  measurement(record.cells[1], "pinned") = 1.0;
+  column_in(record.cells[1], pinned.name).back() = 1.0;
   CHECK(verdict(concluded(record), "extremum-at-points") == "contradicted");
   CHECK(column_of(table_of(record, "pinned-bernstein"), "points").size() == 4);
 }
@@ -71,11 +79,11 @@ TEST_CASE("minima of the trigonometric curve: measured slopes decide, a missing 
                                             .datasets = {"blob-12"}});
   REQUIRE(record.cells.size() == 2);  // the Bernstein basis is none of this
   // Twelve gentle turns: minima at a = 1/2, maxima at 0.9.
-  CHECK(measurement(record.cells[0], "valleys") > 0.0);
-  CHECK(measurement(record.cells[1], "valleys") == 0.0);
+  CHECK(total(record.cells[0], valleys) > 0.0);
+  CHECK(total(record.cells[1], valleys) == 0.0);
   CHECK(verdict(record, "trigonometric-local-maximum") == "contradicted");
   record.cells.erase(record.cells.begin());
-  measurement(record.cells[0], "peaks") = measurement(record.cells[0], "points");
+  column_in(record.cells[0], peaks.name) = column_in(record.cells[0], points.name);
   CHECK(verdict(concluded(record), "trigonometric-local-maximum") == "reproduced");
   record.cells.clear();
   CHECK(concluded(record).claims.empty());
@@ -128,16 +136,16 @@ TEST_CASE("applicability: verdicts flip with the cells") {
   // Vanishing end curvatures at alpha = 2, a wrong coefficient, a wrong identity.
   store::CellRecord& basis = cell_of(record, "alpha-beta");
   for (const char* column : {"largest curvature at 0", "largest curvature at 1", "least end curvature"})
-    measurement(basis, column) = 0.0;
+    column_in(basis, column).front() = 0.0;
   store::CellRecord& identities = cell_of(record, "identities");
-  measurement(identities, "triangle") = 2.0;
-  measurement(identities, std::string(names::square)) = 0.1;
+  column_in(identities, "coefficient").front() = 2.0;
+  deviation_of(identities, names::square) = 0.1;
   record = concluded(record);
   CHECK(verdict(record, "alpha-beta-bernstein-applicability") == "contradicted");
   CHECK(verdict(record, "blending-triangle") == "contradicted");
   CHECK(verdict(record, "trigonometric-square") == "contradicted");
   CHECK(verdict(record, "recursive-evaluation") == "reproduced");
-  measurement(cell_of(record, "identities"), std::string(names::recursion)) = std::nan("");
+  deviation_of(cell_of(record, "identities"), names::recursion) = std::nan("");
   CHECK(verdict(concluded(record), "recursive-evaluation") == "contradicted");
 }
 
@@ -206,8 +214,7 @@ TEST_CASE("scaling: exponents of a power law come back, with an interval that ho
   for (auto& cell : record.cells) {
     CHECK(cell.timings["fit"].size() >= 3);
     CHECK(cell.timings["jet"].size() == 5);
-    cell.timings["fit"].assign(3,
-                               1e-6 * std::pow(study::Rows({cell}).largest(study::count_of("points")), 1.5) * wobble);
+    cell.timings["fit"].assign(3, 1e-6 * std::pow(study::Rows({cell}).largest(points), 1.5) * wobble);
     wobble = 1.0 / wobble;
   }
   record = concluded(record);
