@@ -128,13 +128,15 @@ inline double largest_miss(const Fit& fit) {
   return largest / mean_chord(fit.input);
 }
 
-/// The curves of at least 3 points in the outside drawings; empty when they are not there.
+/// The curves of at least 3 points in the drawings of other authors; empty when they are not there. The inputs of
+/// `outside` are files in many formats, some hostile: they are no drawings.
 inline std::vector<Input> outside_curves() {
   const std::filesystem::path folder = KAPPABENCH_SHARED_DATA;
   std::vector<Input> curves;
   if (!std::filesystem::exists(folder)) return curves;
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.path().parent_path().filename() != "outside") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
     std::ifstream stream(file);
