@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -139,7 +140,7 @@ TEST_CASE("every part of what a cell uses is in its key") {
 TEST_CASE("cells with one key compute the same thing, and an experiment's cells are told apart") {
   std::map<std::string, void (*)(const Uses&, store::CellRecord&)> computes;
   for (const Experiment& experiment : all_experiments()) {
-    std::set<std::pair<std::string, std::string>> names;
+    std::set<std::tuple<std::string, std::string, std::string>> names;
     std::set<std::string> keys_without_drawings;
     for (const CellJob& job : experiment.jobs({.registry = all_schemes()})) {
       INFO(experiment.id << ": " << job.dataset << ", " << job.label);
@@ -147,7 +148,8 @@ TEST_CASE("cells with one key compute the same thing, and an experiment's cells 
       CHECK(computes.emplace(job.key(), job.compute).first->second == job.compute);
       // Equal drawings under two names are one cell; anything else that differs must be in the key.
       if (job.uses.drawings.empty()) CHECK(keys_without_drawings.insert(job.key()).second);
-      CHECK(names.emplace(job.dataset, job.label).second);
+      const std::string scheme = job.uses.schemes.empty() ? "" : job.uses.schemes.front()->info().id;
+      CHECK(names.emplace(job.dataset, job.label, scheme).second);
     }
   }
 }
