@@ -18,13 +18,14 @@ enum class Bisect {
 
 /// A root of a function that is not negative at `low` and not positive at `high`, to the last digits: Newton kept in a
 /// shrinking bracket. `f(x)` returns a ValueAndSlope. Always returns a number in the bracket, after at most 200
-/// evaluations.
+/// evaluations, 100 where Newton is only kept inside.
 template <class Function>
 [[nodiscard]] double falling_root_in(const Function& f, double low, double high, double guess,
                                      Bisect bisect = Bisect::where_newton_slows) {
   double x = guess > low && guess < high ? guess : 0.5 * (low + high);
   double step_before = high - low;
-  for (int i = 0; i < 200; ++i) {
+  const int most = bisect == Bisect::where_newton_slows ? 200 : 100;
+  for (int i = 0; i < most; ++i) {
     const ValueAndSlope at = f(x);
     if (at.value == 0.0) return x;
     (at.value > 0.0 ? low : high) = x;
