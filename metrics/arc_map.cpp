@@ -94,10 +94,10 @@ Place ArcMap::place(double s) const {
   double hi = 1.0;
   double x = std::clamp(2.0 * goal / panel->length - 1.0, -1.0, 1.0);
   for (int step = 0; step < 60; ++step) {
-    const double miss = legendre_integral(panel->speed, x) - goal;
-    if (std::abs(miss) <= 1e-15 * panel->length) break;
-    (miss < 0.0 ? lo : hi) = x;
-    const double newton = x - miss / legendre_value(panel->speed, x);
+    const double excess = legendre_integral(panel->speed, x) - goal;
+    if (std::abs(excess) <= 1e-15 * panel->length) break;
+    (excess < 0.0 ? lo : hi) = x;
+    const double newton = x - excess / legendre_value(panel->speed, x);
     const double next = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
     if (std::abs(next - x) <= 1e-16) break;
     x = next;

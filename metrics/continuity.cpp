@@ -22,10 +22,10 @@ double finite_curvature(const Jet& jet) {
 /// What an error of one unit in the last place of the coordinates, blown up by differentiation (degree 5: 5 in c', 20
 /// in c''), does to curvature = c' x c'' / |c'|^3.
 double curvature_rounding(const Jet& jet) {
-  const double unit = 0x1p-52 * jet.position().cwiseAbs().maxCoeff();
+  const double rounding = 0x1p-52 * jet.position().cwiseAbs().maxCoeff();
   const double v = speed(jet);
-  const double bend = jet.d[2].norm();
-  return v > 0.0 ? unit * (20.0 * v + 20.0 * bend) / (v * v * v) : 0.0;
+  const double second = jet.d[2].norm();
+  return v > 0.0 ? rounding * (20.0 * v + 20.0 * second) / (v * v * v) : 0.0;
 }
 
 double relative_jump(const Vec2& a, const Vec2& b, double guard) {

@@ -168,8 +168,8 @@ double distance_from_circle(const Scheme& scheme, int n) {
   if (!fit.curve) return infinite;
   double largest = 0.0;
   for (const Jet& jet : sample(*fit.curve, 65, 0).jets) {
-    const double miss = std::abs(jet.position().norm() - 1.0);
-    if (!(miss <= largest)) largest = miss;
+    const double deviation = std::abs(jet.position().norm() - 1.0);
+    if (!(deviation <= largest)) largest = deviation;
   }
   return largest;
 }

@@ -117,8 +117,8 @@ double parabola_energy(const Segment& segment, const Parabola& parabola) {
   if (!cusps(segment).empty()) return infinite;
   double energy = 0.0;
   for (const CurvatureSample& sample : over_parameter(segment, extrema_of(segment))) {
-    const double miss = sample.curvature - parabola(sample.u);
-    energy += sample.weight * miss * miss;
+    const double deviation = sample.curvature - parabola(sample.u);
+    energy += sample.weight * deviation * deviation;
   }
   return energy;
 }

@@ -41,9 +41,9 @@ class Search {
     if (length0 >= rules_.least_length)
       trial.inner0 += clothoid_displacement(from_.heading, k0, -k0 / length0, length0);
     if (length1 >= rules_.least_length) trial.inner1 += clothoid_displacement(to_.heading, k1, k1 / length1, -length1);
-    const Vec2 line = (trial.inner1 - trial.inner0).normalized(), unit(std::cos(heading), std::sin(heading));
-    trial.sine = cross(line, unit);
-    trial.forward = line.dot(unit) > 0.0;
+    const Vec2 line = (trial.inner1 - trial.inner0).normalized(), along(std::cos(heading), std::sin(heading));
+    trial.sine = cross(line, along);
+    trial.forward = line.dot(along) > 0.0;
     return trial;
   }
 

@@ -73,7 +73,7 @@ struct Span {
   int iterations = 0;
   double residual = 0.0;
   bool clc = false;
-  bool misses_property = false;  ///< after refinement
+  bool lacks_property = false;  ///< after refinement
 };
 
 Span straight(const Vec2& from, const Vec2& to, Continuity claimed) {
@@ -98,11 +98,11 @@ Span arcs_between(const CurveElement& from, const CurveElement& to, Pieces piece
       return {.pieces = std::move(found->pieces), .residual = found->misalignment, .clc = true};
   }
   if (const auto found = three_arcs(from, to)) {
-    const bool bent = std::min(std::abs(from.curvature), std::abs(to.curvature)) > rules.least_curvature;
+    const bool curved = std::min(std::abs(from.curvature), std::abs(to.curvature)) > rules.least_curvature;
     return {.pieces = {found->arcs.begin(), found->arcs.end()},
             .iterations = found->iterations,
             .residual = found->residual,
-            .misses_property = bent && !good(*found, from.curvature, to.curvature, rules)};
+            .lacks_property = curved && !good(*found, from.curvature, to.curvature, rules)};
   }
   // What the published code does then.
   return straight(from.point, to.point, Continuity::g0);
@@ -168,15 +168,15 @@ Layout layout_of(const Input& input, Pieces pieces, bool refined, const Rules& r
 
 Report report_of(const Layout& layout) {
   Report report{.outcome = Outcome::converged};
-  long clc = 0, unsolved = 0, missing = 0;
+  long clc = 0, unsolved = 0, lacking = 0;
   for (const Span& span : layout.spans) {
     report.iterations = std::max(report.iterations, span.iterations);
     report.residual = std::max(report.residual, span.residual);
     clc += span.clc ? 1 : 0;
-    missing += span.misses_property ? 1 : 0;
+    lacking += span.lacks_property ? 1 : 0;
     unsolved += span.claimed == Continuity::g0 ? 1 : 0;
   }
-  report.counters = {{"clc_spans", clc}, {"spans_missing_property", missing}, {"unsolved_spans", unsolved}};
+  report.counters = {{"clc_spans", clc}, {"spans_missing_property", lacking}, {"unsolved_spans", unsolved}};
   if (unsolved > 0) {
     report.outcome = Outcome::not_converged;
     report.message =

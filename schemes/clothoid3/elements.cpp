@@ -92,10 +92,10 @@ std::vector<PointElement> elements_of(const Input& input, const Run& run, const 
   std::vector<PointElement> elements;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t a = points.first(i);
-    const Bend bend =
-        turn[i] == 0 ? Bend{aligned_heading(points, turn, i, rules), 0.0}
+    const G2Data data =
+        turn[i] == 0 ? G2Data{aligned_heading(points, turn, i, rules), 0.0}
                      : local_conic(points.point(a), points.point(a + 1), points.point(a + 2), points.place(i), rules);
-    elements.push_back({{points.point(i), bend.heading, bend.curvature}, turn[i], false});
+    elements.push_back({{points.point(i), data.heading, data.curvature}, turn[i], false});
   }
   if (rules.g1_curvature) take_clothoid_curvatures(points, run.closed, elements);
 

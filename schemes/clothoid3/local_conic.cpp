@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-Bend by_derivatives(const ArcPair& pair, Place place) {
+G2Data by_derivatives(const ArcPair& pair, Place place) {
   const Jet jet =
       place == Place::start ? pair.first->jet(0.0, 2) : pair.second->jet(place == Place::end ? 1.0 : 0.0, 2);
   return {tangent_angle(jet), curvature(jet)};
@@ -74,7 +74,7 @@ Vec2 at(const ArcPair& pair, double t) {
 }
 
 /// Forward difference for the heading, at the place; for the curvature a forward and a central one, two steps inside.
-Bend by_differences(const ArcPair& pair, Place place) {
+G2Data by_differences(const ArcPair& pair, Place place) {
   constexpr double h = 1e-3;
   const double t = place == Place::start ? h : place == Place::end ? 2.0 - h : 1.0;
   const Vec2 tangent = at(pair, t + h) - at(pair, t);
@@ -87,7 +87,7 @@ Bend by_differences(const ArcPair& pair, Place place) {
 
 }  // namespace
 
-Bend local_conic(const Vec2& p0, const Vec2& p1, const Vec2& p2, Place place, const Rules& rules) {
+G2Data local_conic(const Vec2& p0, const Vec2& p1, const Vec2& p2, Place place, const Rules& rules) {
   if (rules.compat) return by_differences(published_conic(p0, p1, p2), place);
   return by_derivatives(circle_or_ellipse_through(p0, p1, p2), place);
 }

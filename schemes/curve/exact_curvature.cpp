@@ -245,7 +245,8 @@ SignChanges changes_of(const Segment& segment, bool of_slope) {
   const ExactForm form = segment.exact();
   if (const auto polygon = control_polygon(form)) {
     if (!finite(*polygon)) return {};
-    return sign_changes(*polygon, [of_slope](const auto& forms) { return of_slope ? forms.slope() : forms.bend(); });
+    return sign_changes(
+        *polygon, [of_slope](const auto& forms) { return of_slope ? forms.slope() : forms.curvature_numerator(); });
   }
   if (const auto* clothoid = std::get_if<ClothoidForm>(&form)) return clothoid_sign_changes(*clothoid, of_slope);
   if (const auto* intrinsic = std::get_if<IntrinsicForm>(&form)) return intrinsic_sign_changes(*intrinsic, of_slope);

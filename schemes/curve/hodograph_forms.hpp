@@ -19,7 +19,7 @@ struct HodographForms {
   int exponent;
 
   /// N: changes sign where the curvature does. Degree 2m - 2.
-  [[nodiscard]] BinaryForm<Number> bend() const {
+  [[nodiscard]] BinaryForm<Number> curvature_numerator() const {
     return difference(product(partial_s(x), partial_t(y)), product(partial_t(x), partial_s(y)));
   }
   /// D. Degree 2m.
@@ -27,7 +27,7 @@ struct HodographForms {
 
   /// Changes sign where d kappa / dt does: (N_t omega + e N omega_t) D_s - (N_s omega + e N omega_s) D_t.
   [[nodiscard]] BinaryForm<Number> slope() const {
-    const BinaryForm<Number> n = bend();
+    const BinaryForm<Number> n = curvature_numerator();
     const BinaryForm<Number> d = speed_squared();
     const auto part = [&](const BinaryForm<Number>& dn, const BinaryForm<Number>& domega) {
       return sum(product(dn, omega), scaled(product(n, domega), exponent));

@@ -23,12 +23,12 @@ struct Piece {
   int start_sign, end_sign;  ///< of the curvature at its ends, 0 if it is straight
 };
 
-Piece piece_of(const Chain& chain, const State& state, std::size_t k) {
+Piece piece_of(const CubicChain& chain, const State& state, std::size_t k) {
   const Vec2 &x = state.x[k], &y = state.y[k];
   const double area = cross(x, y);
   if (std::abs(area) <= straight * x.norm() * y.norm()) return {k, 0, 0};
   const int turn = area > 0.0 ? 1 : -1;
-  return {k, chain.cubic[k].start_bend > 0.0 ? turn : -turn, chain.cubic[k].end_bend > 0.0 ? turn : -turn};
+  return {k, chain.cubic[k].start_numerator > 0.0 ? turn : -turn, chain.cubic[k].end_numerator > 0.0 ? turn : -turn};
 }
 
 bool same_magnitude(const Segment& before, const Segment& behind) {
@@ -38,7 +38,7 @@ bool same_magnitude(const Segment& before, const Segment& behind) {
 
 class Assembly {
  public:
-  Assembly(const Input& input, const Chain& chain, const State& state)
+  Assembly(const Input& input, const CubicChain& chain, const State& state)
       : input_(input), chain_(chain), state_(state), gone_(chain.segments(), false) {
     const std::size_t m = chain.segments();
     for (std::size_t k = 0; k < m && m > 1; ++k)
@@ -115,7 +115,7 @@ class Assembly {
   }
 
   const Input& input_;
-  const Chain& chain_;
+  const CubicChain& chain_;
   const State& state_;
   std::vector<bool> gone_;
   std::vector<Piece> pieces_;
@@ -127,7 +127,7 @@ class Assembly {
 
 }  // namespace
 
-Assembled assemble(const Input& input, const Chain& chain, const State& state) {
+Assembled assemble(const Input& input, const CubicChain& chain, const State& state) {
   return Assembly(input, chain, state).run();
 }
 

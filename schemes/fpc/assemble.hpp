@@ -5,7 +5,7 @@
 
 #include "schemes/api/input.hpp"
 #include "schemes/curve/curve.hpp"
-#include "schemes/fpc/chain.hpp"
+#include "schemes/fpc/cubic_chain.hpp"
 
 namespace kappabench::fpc {
 
@@ -17,6 +17,6 @@ struct Assembled {
 /// The curve of a state: a cubic Bézier segment for each point. Joints are claimed G2 where the curvature keeps its
 /// sign and G1 with equal |kappa| where it changes. A segment that has shrunk to its point is left out; the point's
 /// node is then the joint of its neighbours.
-[[nodiscard]] Assembled assemble(const Input& input, const Chain& chain, const State& state);
+[[nodiscard]] Assembled assemble(const Input& input, const CubicChain& chain, const State& state);
 
 }  // namespace kappabench::fpc

@@ -34,7 +34,7 @@ constexpr std::array arc_starts{10.0, 1000.0, 0.1};
 
 class Cascade {
  public:
-  Cascade(const Chain& chain, bool trace) : chain_(chain), system_(chain), newton_(system_), tracing_(trace) {
+  Cascade(const CubicChain& chain, bool trace) : chain_(chain), system_(chain), newton_(system_), tracing_(trace) {
     if (trace) newton_.observe([this](const State& state) { record(state); });
   }
 
@@ -167,7 +167,7 @@ class Cascade {
     return solution_.converged;
   }
 
-  const Chain& chain_;
+  const CubicChain& chain_;
   System system_;
   Newton newton_;
   Solution solution_;
@@ -183,6 +183,8 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
-Solution solve_chain(const Chain& chain, const State* near, bool trace) { return Cascade(chain, trace).solve(near); }
+Solution solve_chain(const CubicChain& chain, const State* near, bool trace) {
+  return Cascade(chain, trace).solve(near);
+}
 
 }  // namespace kappabench::fpc

@@ -30,6 +30,6 @@ inline constexpr double accuracy = 1e-12;
 
 /// Solves one chain as a whole, trying in turn until one way succeeds: damped sweeps and Newton; a homotopy in the
 /// softness; the same path by arc length. When `near` is given, Newton from there comes first. Deterministic.
-[[nodiscard]] Solution solve_chain(const Chain& chain, const State* near, bool trace);
+[[nodiscard]] Solution solve_chain(const CubicChain& chain, const State* near, bool trace);
 
 }  // namespace kappabench::fpc

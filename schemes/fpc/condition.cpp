@@ -17,7 +17,7 @@ using Column = std::vector<BlockRight<1, 1>>;
 
 double entry(const Matrix::Entry& block) { return block(0, 0); }
 
-Matrix joint_matrix(const Chain& chain, std::span<const double> log_ratio) {
+Matrix joint_matrix(const CubicChain& chain, std::span<const double> log_ratio) {
   const std::size_t n = chain.joints();
   Matrix matrix;
   matrix.resize(n);
@@ -65,7 +65,7 @@ double norm(const Matrix& a) {
 
 }  // namespace
 
-double joint_condition(const Chain& chain, std::span<const double> log_ratio) {
+double joint_condition(const CubicChain& chain, std::span<const double> log_ratio) {
   const std::size_t n = chain.joints();
   if (n == 0) return 1.0;
   const Matrix a = joint_matrix(chain, log_ratio), t = transposed(a);

@@ -31,8 +31,8 @@ class SoftenedEquations {
     for (std::size_t k = 0; k < right_.size(); ++k) right_[k] << newton[k], response[k];
     if (!solver_.solve(matrix_, right_)) return false;
     for (std::size_t k = 0; k < right_.size(); ++k) {
-      // Units change along the path: directions are kept in lengths.
-      right_[k].topRows<2>() *= values_.segment[k].unit;
+      // Strides change along the path: directions are kept in lengths.
+      right_[k].topRows<2>() *= values_.segment[k].stride;
       newton[k] = right_[k].col(0);
       response[k] = right_[k].col(1);
     }

@@ -38,7 +38,7 @@ Fit fit_line(const Input& input, const std::vector<fpc::PointTask>& tasks, bool 
       {.outcome = Outcome::converged, .message = "the points lie on one line: the curve is that line", .trace = {0.0}}};
 }
 
-std::string unsolved_message(const fpc::Chain& chain, const fpc::Solution& solution) {
+std::string unsolved_message(const fpc::CubicChain& chain, const fpc::Solution& solution) {
   const std::vector<double> log_ratio = fpc::System(chain).log_ratios(solution.state);
   const double condition = fpc::joint_condition(chain, log_ratio);
   return fmt::format("not solved: the residual is {:.2g}, {:.0e} is asked for; condition of the joint system {:.1e}",
@@ -98,7 +98,7 @@ Fit FpcScheme::solve(const Input& input) const {
   if (const Line line = line_of(input.points, input.closed); line.straight)
     return fit_line(input, read.tasks, line.in_order);
 
-  const fpc::Chain chain = fpc::make_chain(input.points, read.tasks, input.closed);
+  const fpc::CubicChain chain = fpc::make_chain(input.points, read.tasks, input.closed);
   fpc::Published published;
   const bool newton = parameters().text("iteration") == "newton";
   if (!newton) published = fpc::iterate_published(chain, static_cast<int>(parameters().integer("max_iterations")));

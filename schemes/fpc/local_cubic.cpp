@@ -60,13 +60,13 @@ LocalCubic::LocalCubic(const PointTask& given) : task(given) {
   const double t = given.t, u = 1.0 - t;
   switch (given.type) {
     case PointType::cusp:
-      start_bend = 3.0 / (u * u);
-      end_bend = 3.0 / (t * t);
+      start_numerator = 3.0 / (u * u);
+      end_numerator = 3.0 / (t * t);
       break;
     case PointType::loop: {
       const double t1 = given.t1, t2 = given.t2, u1 = 1.0 - t1, u2 = 1.0 - t2, all = t1 * t2 * u1 * u2;
-      start_bend = (t1 * t1 + t1 * t2 + t2 * t2) / all;
-      end_bend = (u1 * u1 + u1 * u2 + u2 * u2) / all;
+      start_numerator = (t1 * t1 + t1 * t2 + t2 * t2) / all;
+      end_numerator = (u1 * u1 + u1 * u2 + u2 * u2) / all;
       break;
     }
     case PointType::inflection:
@@ -75,13 +75,13 @@ LocalCubic::LocalCubic(const PointTask& given) : task(given) {
       // one by Hermite, the other by their ratio.
       const double root1 = given.type == PointType::regular ? -1.0 : t;
       const double root2 = given.type == PointType::regular ? 2.0 * t + 1.0 : t + 2.0 * given.h;
-      start_bend = 3.0 * (m3 + m4) + m2 * m3 - m1 * m4;
-      end_bend = 3.0 * (m1 + m2) + m2 * m3 - m1 * m4;
+      start_numerator = 3.0 * (m3 + m4) + m2 * m3 - m1 * m4;
+      end_numerator = 3.0 * (m1 + m2) + m2 * m3 - m1 * m4;
       const double at_start = root1 * root2, at_end = (1.0 - root1) * (1.0 - root2);
       if (at_start * at_start > at_end * at_end) {
-        end_bend = start_bend * at_end / at_start;
+        end_numerator = start_numerator * at_end / at_start;
       } else {
-        start_bend = end_bend * at_start / at_end;
+        start_numerator = end_numerator * at_start / at_end;
       }
       break;
     }

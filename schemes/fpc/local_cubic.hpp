@@ -30,13 +30,13 @@ struct PointTask {
 
 /// The cubic through one point with the asked feature, as a linear function of X and Y. All cross products on it are
 /// multiples of the area T = X x Y, so that the numerator of its curvature, (Q' x Q'')/2, is a fixed quadratic
-/// polynomial times T: the sign of T alone decides which way the segment bends.
+/// polynomial times T: the sign of T alone decides which way the segment turns.
 struct LocalCubic {
   PointTask task;
   double start_x, start_y;  ///< velocity at t = 0 is start_x X + start_y Y
   double end_x, end_y;      ///< velocity at t = 1
-  double start_bend;        ///< (Q' x Q'')/2 at t = 0, over T
-  double end_bend;          ///< the same at t = 1
+  double start_numerator;   ///< (Q' x Q'')/2 at t = 0, over T
+  double end_numerator;     ///< the same at t = 1
 
   explicit LocalCubic(const PointTask& task);
 

@@ -12,7 +12,7 @@ constexpr int halvings = 12;
 
 }  // namespace
 
-void advance(const Chain& chain, const State& state, std::span<const Right3> step, double factor, double longest,
+void advance(const CubicChain& chain, const State& state, std::span<const Right3> step, double factor, double longest,
              State& to) {
   to = state;
   for (std::size_t k = 0; k < chain.segments(); ++k) {
@@ -37,12 +37,12 @@ Newton::Result Newton::run(State& state, double softness, int steps, double tole
 bool Newton::solve(double softness) {
   system_->linearise(values_, softness, matrix_, right_);
   if (!solver_.solve(matrix_, right_)) return false;
-  for (std::size_t k = 0; k < right_.size(); ++k) right_[k].head<2>() *= values_.segment[k].unit;
+  for (std::size_t k = 0; k < right_.size(); ++k) right_[k].head<2>() *= values_.segment[k].stride;
   return true;
 }
 
 int Newton::polish(State& state, double softness, int steps) {
-  const Chain& chain = system_->chain();
+  const CubicChain& chain = system_->chain();
   double reached = residual_of(chain, state, system_->log_ratios(state));
   for (int i = 0; i < steps; ++i) {
     system_->evaluate(state, softness, values_);

@@ -21,7 +21,7 @@ class Newton {
     int steps;
   };
 
-  /// Improves `state` until no equation is missed by more than `tolerance`, with at most `steps` steps.
+  /// Improves `state` until no equation is off by more than `tolerance`, with at most `steps` steps.
   Result run(State& state, double softness, int steps, double tolerance);
 
   /// Full steps as long as they lower residual_of, at most `steps`; returns their number. The sum of squares is blind
@@ -44,7 +44,7 @@ class Newton {
 
 /// state + factor * step, a step in lengths, each segment's part of it shortened to `longest` sizes and units of log
 /// weight.
-void advance(const Chain& chain, const State& state, std::span<const Right3> step, double factor, double longest,
+void advance(const CubicChain& chain, const State& state, std::span<const Right3> step, double factor, double longest,
              State& to);
 
 }  // namespace kappabench::fpc

@@ -6,7 +6,7 @@
 
 namespace kappabench::fpc {
 
-Published iterate_published(const Chain& chain, int most) {
+Published iterate_published(const CubicChain& chain, int most) {
   const System system(chain);
   Published result;
   Solution& solution = result.solution;

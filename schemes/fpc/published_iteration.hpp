@@ -13,6 +13,6 @@ struct Published {
 
 /// Algorithm 1: from lambda = 1, solve for the joints (Eq. (19)), then update lambda (Eq. (17)), at most `most` times,
 /// until the residual, here with the lambdas that the joints were solved with, is within `accuracy`.
-[[nodiscard]] Published iterate_published(const Chain& chain, int most);
+[[nodiscard]] Published iterate_published(const CubicChain& chain, int most);
 
 }  // namespace kappabench::fpc

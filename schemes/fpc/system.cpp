@@ -10,20 +10,20 @@ namespace {
 /// Areas below this share of |X||Y| are rounding: they are taken as this large.
 constexpr double least_area = 1e-15;
 /// Joints nearer to a point than this share of the point's size are treated as this far from it.
-constexpr double least_unit = 1e-14;
+constexpr double least_stride = 1e-14;
 /// From here on a segment's curvature is better known than a residual of 1e-12 asks for.
-constexpr double clearly_bent = 1e-3;
+constexpr double clearly_curved = 1e-3;
 
 /// lambda / (1 + lambda); of -log lambda 1 / (1 + lambda), which a difference would give without digits.
 double share_of(double log_ratio) { return 1.0 / (1.0 + std::exp(-log_ratio)); }
 
 }  // namespace
 
-System::System(const Chain& chain) : chain_(&chain), log_bends_(chain.joints()), scale_(chain.joints()) {
+System::System(const CubicChain& chain) : chain_(&chain), log_numerators_(chain.joints()), scale_(chain.joints()) {
   for (std::size_t k = 0; k < chain.joints(); ++k) {
     const LocalCubic& before = chain.cubic[k];
     const LocalCubic& behind = chain.cubic[chain.next(k)];
-    log_bends_[k] = std::log(std::abs(before.end_bend / behind.start_bend)) / 3.0;
+    log_numerators_[k] = std::log(std::abs(before.end_numerator / behind.start_numerator)) / 3.0;
     scale_[k] = 2.0 / ((std::abs(before.end_y) + std::abs(behind.start_x)) * chain.chord[k].norm());
   }
 }
@@ -49,19 +49,19 @@ void System::evaluate(const State& state, double softness, Values& values) const
     s.start_velocity = cubic.start_velocity(s.x, s.y);
     s.end_velocity = cubic.end_velocity(s.x, s.y);
     s.area = cross(s.x, s.y);
-    s.unit = chain_->size[k];
+    s.stride = chain_->size[k];
     const double least = least_area * s.x.norm() * s.y.norm();
-    s.bend =
+    s.weight_gap =
         3.0 * state.log_weight[k] - 0.5 * std::log(std::max(s.area * s.area, least * least) + soft_square(k, softness));
-    add(s.bend);
+    add(s.weight_gap);
   }
   for (std::size_t k = 0; k < chain_->joints(); ++k) {
     Values::Segment& s = values.segment[k];
     const std::size_t next = chain_->next(k);
-    const double log_ratio = state.log_weight[k] - state.log_weight[next] + log_bends_[k];
+    const double log_ratio = state.log_weight[k] - state.log_weight[next] + log_numerators_[k];
     s.share = share_of(log_ratio);
     s.rest = share_of(-log_ratio);
-    s.unit = std::max(std::min(s.y.norm(), values.segment[next].x.norm()), least_unit * chain_->size[k]);
+    s.stride = std::max(std::min(s.y.norm(), values.segment[next].x.norm()), least_stride * chain_->size[k]);
     s.gap = scale_[k] * (s.rest * s.end_velocity - s.share * values.segment[next].start_velocity);
     add(s.gap.norm());
   }
@@ -80,18 +80,18 @@ void System::linearise(const Values& values, double softness, Block3& matrix, st
     upper.setZero();
     const Values::Segment& s = values.segment[k];
     const LocalCubic& cubic = chain_->cubic[k];
-    const double unit_before = values.segment[chain_->before(k)].unit, unit_here = s.unit;
-    const double unit_next = values.segment[chain_->next(k)].unit;
+    const double stride_before = values.segment[chain_->before(k)].stride, stride_here = s.stride;
+    const double stride_next = values.segment[chain_->next(k)].stride;
     if (k < chain_->joints()) {
       const std::size_t next = chain_->next(k);
       const LocalCubic& behind = chain_->cubic[next];
-      const double row = chain_->size[k] / unit_here;  // where joints move in small units, gaps are as small
+      const double row = chain_->size[k] / stride_here;  // where joints move by small strides, gaps are as small
       const double before = scale_[k] * s.rest, after = scale_[k] * s.share;
       const Vec2 by_ratio = before * s.share * -(s.end_velocity + values.segment[next].start_velocity);
       for (int c = 0; c < 2; ++c) {
-        lower(c, c) = row * unit_before * before * cubic.end_x;
-        diagonal(c, c) = row * unit_here * (before * cubic.end_y - after * behind.start_x);
-        upper(c, c) = -row * unit_next * after * behind.start_y;
+        lower(c, c) = row * stride_before * before * cubic.end_x;
+        diagonal(c, c) = row * stride_here * (before * cubic.end_y - after * behind.start_x);
+        upper(c, c) = -row * stride_next * after * behind.start_y;
         diagonal(c, 2) = row * by_ratio(c);
         upper(c, 2) = -row * by_ratio(c);
         right[k](c) = -row * s.gap(c);
@@ -102,12 +102,12 @@ void System::linearise(const Values& values, double softness, Block3& matrix, st
     }
     const double least = least_area * s.x.norm() * s.y.norm();
     const double by_area = s.area / (std::max(s.area * s.area, least * least) + soft_square(k, softness));
-    lower(2, 0) = -by_area * s.y.y() * unit_before;
-    lower(2, 1) = by_area * s.y.x() * unit_before;
-    diagonal(2, 0) = by_area * s.x.y() * unit_here;
-    diagonal(2, 1) = -by_area * s.x.x() * unit_here;
+    lower(2, 0) = -by_area * s.y.y() * stride_before;
+    lower(2, 1) = by_area * s.y.x() * stride_before;
+    diagonal(2, 0) = by_area * s.x.y() * stride_here;
+    diagonal(2, 1) = -by_area * s.x.x() * stride_here;
     diagonal(2, 2) = 3.0;
-    right[k](2) = -s.bend;
+    right[k](2) = -s.weight_gap;
   }
 }
 
@@ -165,16 +165,16 @@ void System::solve_weights(State& state) const {
 std::vector<double> System::log_ratios(const State& state) const {
   std::vector<double> ratios(chain_->joints());
   for (std::size_t k = 0; k < ratios.size(); ++k)
-    ratios[k] = state.log_weight[k] - state.log_weight[chain_->next(k)] + log_bends_[k];
+    ratios[k] = state.log_weight[k] - state.log_weight[chain_->next(k)] + log_numerators_[k];
   return ratios;
 }
 
-double residual_of(const Chain& chain, const State& state, std::span<const double> log_ratio) {
+double residual_of(const CubicChain& chain, const State& state, std::span<const double> log_ratio) {
   double worst = 0.0;
   const auto area = [&](std::size_t k) { return cross(state.x[k], state.y[k]); };
   const auto straightness = [&](std::size_t k) {
     const double most = state.x[k].norm() * state.y[k].norm();
-    return most > 0.0 ? std::min(1.0, std::abs(area(k)) / (clearly_bent * most)) : 0.0;
+    return most > 0.0 ? std::min(1.0, std::abs(area(k)) / (clearly_curved * most)) : 0.0;
   };
   for (std::size_t k = 0; k < chain.joints(); ++k) {
     const std::size_t next = chain.next(k);
@@ -182,10 +182,11 @@ double residual_of(const Chain& chain, const State& state, std::span<const doubl
     const Vec2 before = chain.cubic[k].end_velocity(state.x[k], state.y[k]);
     const Vec2 behind = ratio * chain.cubic[next].start_velocity(state.x[next], state.y[next]);
     const double gap = (before - behind).norm() / std::max(before.norm(), behind.norm());
-    const double bend_before = std::abs(chain.cubic[k].end_bend * area(k)) / std::pow(before.norm(), 3);
-    const double bend_behind = std::abs(chain.cubic[next].start_bend * area(next)) * std::pow(ratio / behind.norm(), 3);
-    const double most = std::max(bend_before, bend_behind);
-    const double mismatch = most > 0.0 ? std::abs(bend_before - bend_behind) / most : 0.0;
+    const double curvature_before = std::abs(chain.cubic[k].end_numerator * area(k)) / std::pow(before.norm(), 3);
+    const double curvature_behind =
+        std::abs(chain.cubic[next].start_numerator * area(next)) * std::pow(ratio / behind.norm(), 3);
+    const double most = std::max(curvature_before, curvature_behind);
+    const double mismatch = most > 0.0 ? std::abs(curvature_before - curvature_behind) / most : 0.0;
     const double counts = std::min(straightness(k), straightness(next));
     if (!std::isfinite(gap) || !std::isfinite(mismatch)) return std::numeric_limits<double>::infinity();
     worst = std::max({worst, gap, counts * mismatch});

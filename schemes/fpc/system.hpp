@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "schemes/fpc/chain.hpp"
+#include "schemes/fpc/cubic_chain.hpp"
 #include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::fpc {
@@ -17,30 +17,30 @@ struct Values {
     Vec2 x, y;                          ///< joints minus the point
     Vec2 start_velocity, end_velocity;  ///< by t
     double area;                        ///< T = X x Y
-    double bend;                        ///< 3 log weight - log |T|, with |T| softened
+    double weight_gap;                  ///< 3 log weight - log |T|, with |T| softened
     double share, rest;                 ///< lambda / (1 + lambda) of the joint at the segment's end, 1 / (1 + lambda)
-    double unit;                        ///< length in which steps of that joint are solved for
+    double stride;                      ///< length in which steps of that joint are solved for
     Vec2 gap;                           ///< of Eq. (16) at that joint, as a displacement of it
   };
   std::vector<Segment> segment;
-  double merit = 0.0;  ///< sum over the equations, squared: gaps over the sizes, bends
+  double merit = 0.0;  ///< sum over the equations, squared: gaps over the sizes, weight gaps
   double worst = 0.0;  ///< the largest of them
 };
 
-/// The equations of an FPC-curve in terms of a State, for a Chain that outlives this object:
+/// The equations of an FPC-curve in terms of a State, for a CubicChain that outlives this object:
 ///   at joint k   (1 - s) Q_k'(1) = s Q_{k+1}'(0), s = lambda / (1 + lambda)   (Chen 2019, Eq. (16))
 ///   of segment k 3 log weight = log |T|                                      (Eq. (17))
 /// `softness` d replaces |T| by sqrt(T^2 + (d size^2)^2): for large d the weights are constants and the problem is
 /// linear in the joints, and the sign of T can change on the way to d = 0.
 class System {
  public:
-  explicit System(const Chain& chain);
+  explicit System(const CubicChain& chain);
 
-  [[nodiscard]] const Chain& chain() const { return *chain_; }
+  [[nodiscard]] const CubicChain& chain() const { return *chain_; }
 
   void evaluate(const State& state, double softness, Values& values) const;
 
-  /// Newton's step is the solution of matrix * step = right, block k = (joint k in units of its `unit`, log weight k).
+  /// Newton's step is the solution of matrix * step = right, block k = (joint k over its `stride`, log weight k).
   /// Rows and columns are scaled so that pivoting does not carry the rounding of long segments into short ones.
   void linearise(const Values& values, double softness, Block3& matrix, std::vector<Right3>& right) const;
 
@@ -60,14 +60,14 @@ class System {
  private:
   [[nodiscard]] double soft_square(std::size_t k, double softness) const;
 
-  const Chain* chain_;
-  std::vector<double> log_bends_;  ///< by joint: log |end_bend_k / start_bend_{k+1}| / 3
-  std::vector<double> scale_;      ///< by joint: what turns Eq. (16) into a relative displacement
+  const CubicChain* chain_;
+  std::vector<double> log_numerators_;  ///< by joint: log |end_bend_k / start_bend_{k+1}| / 3
+  std::vector<double> scale_;           ///< by joint: what turns Eq. (16) into a relative displacement
 };
 
 /// How far a state is from an FPC-curve, scale-free: the largest, over the joints, of the angle and relative length of
 /// the gap in Eq. (16) and of the relative mismatch of |kappa|. Where a segment is so straight that its curvature is
 /// mostly rounding, |T| < 1e-3 |X||Y|, the mismatch counts in proportion to that.
-[[nodiscard]] double residual_of(const Chain& chain, const State& state, std::span<const double> log_ratio);
+[[nodiscard]] double residual_of(const CubicChain& chain, const State& state, std::span<const double> log_ratio);
 
 }  // namespace kappabench::fpc

@@ -25,7 +25,7 @@ struct Window {
 
 class WindowSolver {
  public:
-  explicit WindowSolver(const Chain& chain) : chain_(chain), system_(chain) {}
+  explicit WindowSolver(const CubicChain& chain) : chain_(chain), system_(chain) {}
 
   Solution solve() {
     solution_.residual = std::numeric_limits<double>::infinity();
@@ -71,7 +71,7 @@ class WindowSolver {
     system_.evaluate(solution_.state, 0.0, values_);
     const auto open = [&](std::size_t k) {
       const Values::Segment& s = values_.segment[k];
-      return !(std::abs(s.bend) <= 1e-9 && s.gap.norm() <= 1e-9);
+      return !(std::abs(s.weight_gap) <= 1e-9 && s.gap.norm() <= 1e-9);
     };
     for (std::size_t begin = 0; begin < m;) {
       if (!open(begin)) {
@@ -100,7 +100,7 @@ class WindowSolver {
     const std::size_t m = chain_.segments();
     const auto number = [&](std::size_t j) { return (w.begin + j) % m; };
     State& all = solution_.state;
-    Chain part{.cubic = {}, .chord = {}, .size = {}, .closed = false, .unit = chain_.unit};
+    CubicChain part{.cubic = {}, .chord = {}, .size = {}, .closed = false, .unit = chain_.unit};
     State state;
     for (std::size_t j = 0; j < w.length; ++j) {
       const std::size_t k = number(j);
@@ -125,7 +125,7 @@ class WindowSolver {
     }
   }
 
-  const Chain& chain_;
+  const CubicChain& chain_;
   System system_;
   Solution solution_;
   Values values_;
@@ -133,9 +133,9 @@ class WindowSolver {
 
 }  // namespace
 
-Solution solve_in_windows(const Chain& chain) { return WindowSolver(chain).solve(); }
+Solution solve_in_windows(const CubicChain& chain) { return WindowSolver(chain).solve(); }
 
-Solution solve(const Chain& chain) {
+Solution solve(const CubicChain& chain) {
   return chain.segments() > longest_whole_chain ? solve_in_windows(chain) : solve_chain(chain, nullptr, true);
 }
 

@@ -128,7 +128,7 @@ std::optional<Offsets> solve_offsets(const Input& input, Polygon polygon, double
   }
   std::vector<double> right(n);
   for (std::size_t k = 0; k < n; ++k) right[k] = x[k](0);
-  // Curl 1 at both ends of one chord leaves its bending open: METAPOST makes it straight.
+  // Curl 1 at both ends of one chord leaves its shape open: METAPOST makes it straight.
   const bool one_free_chord = n == 2 && !given[0].theta && !given[1].theta;
   if (one_free_chord) x[0](0) = x[1](0) = 0.0;
   if (BlockTridiagonalSolver<1> solver; !one_free_chord && !solver.solve(matrix, std::span(x))) return std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "schemes/api/registry.hpp"
-#include "schemes/intrinsic/chain.hpp"
+#include "schemes/intrinsic/hermite_chain.hpp"
 
 namespace kappabench {
 

@@ -9,7 +9,7 @@ namespace kappabench::intrinsic {
 /// turning > 2 chord_angle; otherwise it falls, and the numbers below are those of the mirrored data.
 struct Viability {
   bool rising;
-  double start_slack;    ///< X = 2 sin(chord_angle) - start curvature: the start bends less than the circle to the end
+  double start_slack;    ///< X = 2 sin(chord_angle) - start curvature: the start turns less than the circle to the end
   double end_slack;      ///< Y = end curvature - 2 sin(end_angle)
   double least_product;  ///< D = 4 sin^2((turning - 2 chord_angle) / 2); X Y must exceed it
   double nesting;        ///< xi = X Y / D; the circles touch at 1. NaN where D = 0

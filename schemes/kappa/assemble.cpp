@@ -38,7 +38,7 @@ struct Piece {
 };
 
 /// Whether |kappa| has a minimum where the segment passes its point, judged by its slope on both sides.
-bool at_minimum(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
+bool at_minimum(const ChordChain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
   const double step = 1e-4 * last_parameter(chain.basis);
   return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
 }
@@ -50,7 +50,7 @@ bool same_magnitude(const Segment& before, const Segment& after) {
 
 }  // namespace
 
-Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
+Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain, const State& state,
                    const Setting& setting) {
   const std::size_t m = chain.segments();
   const Ratios ratios = ratios_of(state);

@@ -18,7 +18,7 @@ struct Assembled {
 
 /// The curve of a state: one segment for each segment of the chain, except those that have shrunk to a point at an
 /// inflection. `setting` says which points are pinned.
-[[nodiscard]] Assembled assemble(const Input& input, SegmentKind kind, const Chain& chain, const State& state,
+[[nodiscard]] Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain, const State& state,
                                  const Setting& setting);
 
 }  // namespace kappabench::kappa

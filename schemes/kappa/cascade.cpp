@@ -55,32 +55,32 @@ constexpr int pin_rounds = 4;
 
 class Cascade {
  public:
-  Cascade(const Chain& chain, bool trace) : chain_(chain), system_(chain), sweeps_(system_), newton_(system_) {
+  Cascade(const ChordChain& chain, bool trace) : chain_(chain), system_(chain), sweeps_(system_), newton_(system_) {
     if (trace) newton_.observe([this](const State& state) { record(state); });
     tracing_ = trace;
   }
 
-  Solution solve(const State& start, const Setting* near, Patience patience) {
-    try_all(start, near, patience);
+  Solution solve(const State& start, const Setting* near, Attempts attempts) {
+    try_all(start, near, attempts);
     solution_.iterations = static_cast<double>(solution_.effort.iterations());
     return std::move(solution_);
   }
 
  private:
-  void try_all(const State& start, const Setting* near, Patience patience) {
+  void try_all(const State& start, const Setting* near, Attempts attempts) {
     solution_.state = start;
     solution_.setting = uniform_setting(chain_, Form::divided);
     solution_.residual = residual_of(system_, start, values_);
     record(start);
     if (near != nullptr && exact(start, *near, false)) return;
-    const std::span<const Attempt> attempts = chain_.basis == BasisKind::cubic
-                                                  ? std::span<const Attempt>(cubic_attempts)
-                                                  : std::span<const Attempt>(trigonometric_attempts);
-    for (const Attempt& attempt : patience == Patience::all ? attempts : attempts.first(2)) {
+    const std::span<const Attempt> list = chain_.basis == BasisKind::cubic
+                                              ? std::span<const Attempt>(cubic_attempts)
+                                              : std::span<const Attempt>(trigonometric_attempts);
+    for (const Attempt& attempt : attempts == Attempts::all ? list : list.first(2)) {
       ++solution_.effort.attempts;
       if (follow(attempt, start)) return;
     }
-    if (patience != Patience::all) return;
+    if (attempts != Attempts::all) return;
     for (const FoldAttempt& attempt : fold_attempts) {
       ++solution_.effort.attempts;
       if (follow_round_folds(attempt, start)) return;
@@ -196,7 +196,7 @@ class Cascade {
     return result;
   }
 
-  const Chain& chain_;
+  const ChordChain& chain_;
   System system_;
   PublishedIteration sweeps_;
   Newton newton_;
@@ -214,8 +214,8 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
-Solution solve_chain(const Chain& chain, const State& start, const Setting* near, Patience patience, bool trace) {
-  return Cascade(chain, trace).solve(start, near, patience);
+Solution solve_chain(const ChordChain& chain, const State& start, const Setting* near, Attempts attempts, bool trace) {
+  return Cascade(chain, trace).solve(start, near, attempts);
 }
 
 }  // namespace kappabench::kappa

@@ -27,8 +27,8 @@ struct Solution {
   std::vector<double> trace;  ///< residual_of before the first and after each iteration, when asked for
 };
 
-/// How much to try before giving up.
-enum class Patience { some, all };
+/// Which entries of the cascade to try before giving up: `usual` are the first two homotopies.
+enum class Attempts { usual, all };
 
 /// Residual below which a state is a solution.
 inline constexpr double accuracy = 1e-12;
@@ -36,7 +36,7 @@ inline constexpr double accuracy = 1e-12;
 /// Solves one chain as a whole: homotopies from a softened problem, from several starts and in several forms, until
 /// one arrives. `start` gives the values of the fixed ends and the first guess; when `near` is given it is near a
 /// solution with these forms, and Newton from there is tried first. Deterministic.
-[[nodiscard]] Solution solve_chain(const Chain& chain, const State& start, const Setting* near, Patience patience,
+[[nodiscard]] Solution solve_chain(const ChordChain& chain, const State& start, const Setting* near, Attempts attempts,
                                    bool trace);
 
 }  // namespace kappabench::kappa

@@ -38,7 +38,7 @@ class SoftenedEquations {
     for (std::size_t i = 1; i <= right_.size(); ++i) {
       right_[i - 1].col(0) = newton[i - 1];
       const Vec2 miss = (shifted_.miss[i] - values_.miss[i]) / difference;
-      right_[i - 1].col(1) << -miss.x(), -miss.y(), -(shifted_.bend[i] - values_.bend[i]) / difference, 0.0;
+      right_[i - 1].col(1) << -miss.x(), -miss.y(), -(shifted_.jump[i] - values_.jump[i]) / difference, 0.0;
     }
     if (!solver_.solve(jacobian_, right_)) return false;
     for (std::size_t k = 0; k < right_.size(); ++k) {
@@ -57,7 +57,7 @@ class SoftenedEquations {
   }
 
   void advance(const State& from, const Step& step, double factor, State& to) const {
-    const Chain& chain = system_.chain();
+    const ChordChain& chain = system_.chain();
     const std::size_t m = chain.segments();
     to = from;
     for (std::size_t i = 1; i <= m; ++i) {

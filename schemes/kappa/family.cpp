@@ -60,7 +60,7 @@ Fit refusal(const Input& input, std::string why) {
 namespace {
 
 /// Algorithm 1 of Miura 2022 until the residual is small or the steps are used up.
-Solution iterate_published(const Chain& chain, int most) {
+Solution iterate_published(const ChordChain& chain, int most) {
   const System system(chain);
   PublishedIteration iteration(system);
   Values values;
@@ -78,9 +78,9 @@ Solution iterate_published(const Chain& chain, int most) {
   return solution;
 }
 
-Solution solve_by_newton(const Chain& chain) {
+Solution solve_by_newton(const ChordChain& chain) {
   if (chain.segments() > longest_whole_chain) return solve_in_windows(chain);
-  return solve_chain(chain, initial_state(chain), nullptr, Patience::all, true);
+  return solve_chain(chain, initial_state(chain), nullptr, Attempts::all, true);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
              .trace = {0.0}}};
   }
   const BasisKind basis = kind == SegmentKind::trigonometric ? BasisKind::trigonometric : BasisKind::cubic;
-  const Chain chain = make_chain(input.points, a, input.closed, basis);
+  const ChordChain chain = make_chain(input.points, a, input.closed, basis);
   const Solution solution =
       iteration.published ? iterate_published(chain, iteration.max_iterations) : solve_by_newton(chain);
 

@@ -11,7 +11,7 @@ constexpr double longest_step = 4.0;  ///< of x, and of e in units of the point'
 constexpr int halvings = 12;
 
 /// state + fraction * step, clipped at each point.
-void advance(const Chain& chain, const State& state, const std::vector<Right4>& step, double fraction, State& to) {
+void advance(const ChordChain& chain, const State& state, const std::vector<Right4>& step, double fraction, State& to) {
   const std::size_t m = chain.segments();
   to = state;
   for (std::size_t i = 1; i <= m; ++i) {

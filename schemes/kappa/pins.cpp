@@ -9,7 +9,7 @@ constexpr double at_an_end = 1e-3;   ///< for the problem itself
 /// The pinned form if the stationary point lies within `zone` of an end at which |kappa| is largest nearby, else
 /// the divided one. A stationary point inside, where the slope vanishes, is told from a softened pin, where it is
 /// about that at the end.
-Form form_near_end(const Chain& chain, const State& state, const Values& values, std::size_t i, double zone) {
+Form form_near_end(const ChordChain& chain, const State& state, const Values& values, std::size_t i, double zone) {
   const double last = last_parameter(chain.basis), t = values.t[i];
   const Ends q = ends(chain, state, values.ratios, i);
   const auto slope = [&](double at) { return peak_slope(chain, i, state.e[i], q, at); };
@@ -25,14 +25,14 @@ Form form_near_end(const Chain& chain, const State& state, const Values& values,
 
 }  // namespace
 
-Setting guess_pins(const Chain& chain, const State& state, const Values& values) {
+Setting guess_pins(const ChordChain& chain, const State& state, const Values& values) {
   Setting setting = uniform_setting(chain, Form::divided);
   for (std::size_t i = 1; i <= chain.segments(); ++i)
     setting.form[i] = form_near_end(chain, state, values, i, near_an_end);
   return setting;
 }
 
-int correct_pins(const Chain& chain, const State& state, const Values& values, Setting& setting) {
+int correct_pins(const ChordChain& chain, const State& state, const Values& values, Setting& setting) {
   const double last = last_parameter(chain.basis);
   int changed = 0;
   for (std::size_t i = 1; i <= chain.segments(); ++i) {
@@ -51,7 +51,7 @@ int correct_pins(const Chain& chain, const State& state, const Values& values, S
   return changed;
 }
 
-bool pin_worst(const Chain& chain, const State& state, const Values& values, Setting& setting) {
+bool pin_worst(const ChordChain& chain, const State& state, const Values& values, Setting& setting) {
   const double last = last_parameter(chain.basis);
   double largest = 0.0;
   std::size_t worst = 0;

@@ -9,13 +9,13 @@ namespace kappabench::kappa {
 
 /// Which points are about to be pinned, judged at a state and values of a softened problem: those whose stationary
 /// point has come near an end towards which |kappa| rises. All others get the divided form.
-[[nodiscard]] Setting guess_pins(const Chain& chain, const State& state, const Values& values);
+[[nodiscard]] Setting guess_pins(const ChordChain& chain, const State& state, const Values& values);
 
 /// Frees the pinned points where |kappa| falls towards their end, and pins the free ones whose stationary point ran
 /// into one. Returns how many it changed; 0 means that `setting` is consistent with the state.
-int correct_pins(const Chain& chain, const State& state, const Values& values, Setting& setting);
+int correct_pins(const ChordChain& chain, const State& state, const Values& values, Setting& setting);
 
 /// Pins the free point that misses most among those where |kappa| peaks at an end. False if there is none.
-[[nodiscard]] bool pin_worst(const Chain& chain, const State& state, const Values& values, Setting& setting);
+[[nodiscard]] bool pin_worst(const ChordChain& chain, const State& state, const Values& values, Setting& setting);
 
 }  // namespace kappabench::kappa

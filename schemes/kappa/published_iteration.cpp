@@ -5,14 +5,14 @@
 namespace kappabench::kappa {
 
 bool PublishedIteration::step(State& state) {
-  const Chain& chain = system_->chain();
+  const ChordChain& chain = system_->chain();
   const std::size_t m = chain.segments();
-  system_->evaluate_bend(state, values_);
+  system_->evaluate_jumps(state, values_);
   next_ = state;
   // Eq. (10), corrected to |Delta|: logit lambda_i is half the log of (1 - a_i) |Delta_i+| a_{i+1}^2 over
   // (1 - a_{i+1}) |Delta_{i+1}-| a_i^2, which is half the G2 equation away. The bound keeps lambda inside (0, 1).
   for (std::size_t i = 1; i <= (chain.closed ? m : m - 1); ++i)
-    next_.x[i] = std::clamp(state.x[i] + 0.5 * values_.bend[i], -30.0, 30.0);
+    next_.x[i] = std::clamp(state.x[i] + 0.5 * values_.jump[i], -30.0, 30.0);
   next_.close(chain);
 
   const Ratios ratios = ratios_of(next_);

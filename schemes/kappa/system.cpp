@@ -105,21 +105,21 @@ InterpolationDerivatives interpolate_derivatives(BasisKind kind, double a, Form 
 struct PolygonLegs {
   Vec2 before, after;
 };
-PolygonLegs polygon_legs(const Chain& chain, const State& state, std::size_t i) {
+PolygonLegs polygon_legs(const ChordChain& chain, const State& state, std::size_t i) {
   return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
 }
 
 /// Turns of the control polygon below this are not known to the accuracy that is asked for.
 constexpr double resolved_turn = 1e-3;
 
-double area_floor(const Chain& chain, double softness, std::size_t i) {
+double area_floor(const ChordChain& chain, double softness, std::size_t i) {
   const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
   return std::max(softness, least_area) * scale;
 }
 
 }  // namespace
 
-Setting uniform_setting(const Chain& chain, Form form) {
+Setting uniform_setting(const ChordChain& chain, Form form) {
   return {.form = std::vector<Form>(chain.segments() + 2, form)};
 }
 
@@ -132,7 +132,7 @@ Ratios ratios_of(const State& state) {
   return r;
 }
 
-Ends ends(const Chain& chain, const State& state, const Ratios& r, std::size_t i) {
+Ends ends(const ChordChain& chain, const State& state, const Ratios& r, std::size_t i) {
   return {r.rest[i - 1] * (state.e[i - 1] - chain.chord[i - 1]) + r.lambda[i - 1] * state.e[i],
           r.rest[i] * state.e[i] + r.lambda[i] * (state.e[i + 1] + chain.chord[i])};
 }
@@ -141,7 +141,7 @@ double last_parameter(BasisKind basis) {
   return basis == BasisKind::cubic ? CubicBasis::last : TrigonometricBasis::last;
 }
 
-double peak_slope(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
+double peak_slope(const ChordChain& chain, std::size_t i, const Vec2& e, const Ends& q, double t) {
   const auto of = [&](const auto& basis) {
     using Basis = std::decay_t<decltype(basis)>;
     return StationaryEquation<Basis, Velocity::of_legs>(basis, e - q.x, q.y - e, 0.0)(t).value;
@@ -156,7 +156,7 @@ struct Nearest {
   double miss;
 };
 
-Nearest nearest(const Chain& chain, const State& state, const Values& values, std::size_t i) {
+Nearest nearest(const ChordChain& chain, const State& state, const Values& values, std::size_t i) {
   const Ends q = ends(chain, state, values.ratios, i);
   Nearest best{Form::divided, values.miss[i].norm()};
   const auto consider = [&](Form form, double miss) {
@@ -171,13 +171,13 @@ Nearest nearest(const Chain& chain, const State& state, const Values& values, st
 }  // namespace
 
 double residual_of(const System& system, const State& state, Values& values) {
-  const Chain& chain = system.chain();
+  const ChordChain& chain = system.chain();
   system.evaluate(state, uniform_setting(chain, Form::divided), values);
   double largest = 0.0;
   for (std::size_t i = 1; i <= chain.segments(); ++i) {
-    const double miss = nearest(chain, state, values, i).miss, bend = values.weight[i] * std::abs(values.bend[i]);
-    if (!std::isfinite(miss + bend)) return std::numeric_limits<double>::infinity();
-    largest = std::max({largest, miss, bend});
+    const double miss = nearest(chain, state, values, i).miss, jump = values.weight[i] * std::abs(values.jump[i]);
+    if (!std::isfinite(miss + jump)) return std::numeric_limits<double>::infinity();
+    largest = std::max({largest, miss, jump});
   }
   return largest;
 }
@@ -191,7 +191,7 @@ Form nearest_form(const System& system, const State& state, const Values& values
   return nearest(system.chain(), state, values, i).form;
 }
 
-double stationary_parameter(const Chain& chain, std::size_t i, const Ends& q) {
+double stationary_parameter(const ChordChain& chain, std::size_t i, const Ends& q) {
   const auto of = [&](const auto& basis) {
     using Basis = std::decay_t<decltype(basis)>;
     return StationaryEquation<Basis, Velocity::eliminated>(basis, q.x, q.y, 0.0).inner_root();
@@ -199,15 +199,15 @@ double stationary_parameter(const Chain& chain, std::size_t i, const Ends& q) {
   return chain.basis == BasisKind::cubic ? of(CubicBasis(chain.a[i])) : of(TrigonometricBasis(chain.a[i]));
 }
 
-Blend stationary_blend(const Chain& chain, std::size_t i, const Ends& q) {
+Blend stationary_blend(const ChordChain& chain, std::size_t i, const Ends& q) {
   const double t = stationary_parameter(chain, i, q);
   return chain.basis == BasisKind::cubic ? CubicBasis(chain.a[i]).blend(t) : TrigonometricBasis(chain.a[i]).blend(t);
 }
 
-void System::evaluate_bend(const State& state, double softness, Values& values) const {
-  const Chain& chain = *chain_;
+void System::evaluate_jumps(const State& state, double softness, Values& values) const {
+  const ChordChain& chain = *chain_;
   const std::size_t m = chain.segments();
-  values.bend.assign(m + 2, 0.0);
+  values.jump.assign(m + 2, 0.0);
   values.weight.assign(m + 2, 1.0);
   values.area.resize(m + 2);
   values.s.resize(m + 2);
@@ -224,16 +224,16 @@ void System::evaluate_bend(const State& state, double softness, Values& values) 
     values.weight[i] = std::min(values.weight[i], j == 1 ? first_weight : values.weight[j]);
     // log of kappa_i(1) / kappa_{i+1}(0), Eq. (8) with Delta_i+ = (1 - lambda_{i-1}) T_i and
     // Delta_{i+1}- = lambda_{i+1} T_{i+1}.
-    values.bend[i] = values.s[i] - values.s[j] + chain.end[i] - chain.end[j] - softplus(state.x[i - 1]) -
+    values.jump[i] = values.s[i] - values.s[j] + chain.end[i] - chain.end[j] - softplus(state.x[i - 1]) -
                      2.0 * state.x[i] + softplus(-state.x[j]);
   }
 }
 
 void System::evaluate(const State& state, const Setting& setting, Values& values) const {
-  const Chain& chain = *chain_;
+  const ChordChain& chain = *chain_;
   const std::size_t m = chain.segments();
   values.ratios = ratios_of(state);
-  evaluate_bend(state, setting.area_share * setting.softness, values);
+  evaluate_jumps(state, setting.area_share * setting.softness, values);
   values.t.resize(m + 2);
   values.miss.resize(m + 2);
   values.merit = values.residual = 0.0;
@@ -248,13 +248,13 @@ void System::evaluate(const State& state, const Setting& setting, Values& values
     values.t[i] = row.t;
     values.miss[i] = row.value / chain.size[i];
     count(values.miss[i].norm(), 1.0);
-    count(values.bend[i], values.weight[i]);
+    count(values.jump[i], values.weight[i]);
   }
 }
 
 void System::linearise(const State& state, const Setting& setting, const Values& values, Block4& jacobian,
                        std::vector<Right4>& right) const {
-  const Chain& chain = *chain_;
+  const ChordChain& chain = *chain_;
   const std::size_t m = chain.segments();
   jacobian.cyclic = chain.closed;
   jacobian.resize(m);
@@ -296,7 +296,7 @@ void System::linearise(const State& state, const Setting& setting, const Values&
     upper.block<1, 2>(3, 0) = -weight * by_after.transpose();
     diagonal(3, 3) = 1.0;
 
-    right[i - 1] << -values.miss[i].x(), -values.miss[i].y(), -values.bend[i], 0.0;
+    right[i - 1] << -values.miss[i].x(), -values.miss[i].y(), -values.jump[i], 0.0;
   }
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "schemes/kappa/basis.hpp"
-#include "schemes/kappa/chain.hpp"
+#include "schemes/kappa/chord_chain.hpp"
 #include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::kappa {
@@ -27,26 +27,26 @@ struct Setting {
   double softness = 0.0;
   double area_share = 1.0;  ///< areas are smoothed by softness times this
 };
-[[nodiscard]] Setting uniform_setting(const Chain& chain, Form form);
+[[nodiscard]] Setting uniform_setting(const ChordChain& chain, Form form);
 
 /// lambda and 1 - lambda of every joint, each with all its digits.
 struct Ratios {
   std::vector<double> lambda, rest;
 };
 
-/// The equations' values at a state. Indices are those of Chain.
+/// The equations' values at a state. Indices are those of ChordChain.
 struct Values {
   Ratios ratios;
   std::vector<double> t;     ///< parameter of the stationary point, in the basis's own units
   std::vector<Vec2> miss;    ///< interpolation equation over the point's size
-  std::vector<double> bend;  ///< G2 equation at joint i, a log of the ratio of end curvatures; 0 at fixed joints
+  std::vector<double> jump;  ///< G2 equation at joint i, the log of the ratio of end curvatures; 0 at fixed joints
   std::vector<double> area;  ///< T_i, twice the area of the middle control points i - 1, i, i + 1
   std::vector<double> s;     ///< log |T_i|, smoothed
-  /// How much of `bend` counts in `residual`: 1, or less where the control polygon turns by less than a thousandth at
+  /// How much of `jump` counts in `residual`: 1, or less where the control polygon turns by less than a thousandth at
   /// either end, in proportion. There the curvature is mostly the rounding of control points.
   std::vector<double> weight;
-  double merit = 0.0;     ///< sum of squares of miss and bend: what a line search decreases
-  double residual = 0.0;  ///< the largest |miss| or weighted |bend|; infinite if a value is not finite
+  double merit = 0.0;     ///< sum of squares of miss and jump: what a line search decreases
+  double residual = 0.0;  ///< the largest |miss| or weighted |jump|; infinite if a value is not finite
 };
 
 using Block4 = BlockTridiagonal<4>;
@@ -55,40 +55,40 @@ using Right4 = BlockRight<4, 1>;
 /// The equations of a chain, which must outlive it.
 class System {
  public:
-  explicit System(const Chain& chain) : chain_(&chain) {}
+  explicit System(const ChordChain& chain) : chain_(&chain) {}
 
-  [[nodiscard]] const Chain& chain() const { return *chain_; }
+  [[nodiscard]] const ChordChain& chain() const { return *chain_; }
 
   void evaluate(const State& state, const Setting& setting, Values& values) const;
 
-  /// Only `area`, `s`, `bend` and `weight`, unsmoothed.
-  void evaluate_bend(const State& state, Values& values) const { evaluate_bend(state, 0.0, values); }
+  /// Only `area`, `s`, `jump` and `weight`, unsmoothed.
+  void evaluate_jumps(const State& state, Values& values) const { evaluate_jumps(state, 0.0, values); }
 
-  /// The Jacobian at `state`, in the order (e_x, e_y, x, s) of unknowns and (miss, miss, bend, s) of equations, and
+  /// The Jacobian at `state`, in the order (e_x, e_y, x, s) of unknowns and (miss, miss, jump, s) of equations, and
   /// the negative values as right-hand side. `values` must come from `evaluate` at the same state and setting.
   void linearise(const State& state, const Setting& setting, const Values& values, Block4& jacobian,
                  std::vector<Right4>& right) const;
 
  private:
-  void evaluate_bend(const State& state, double softness, Values& values) const;
+  void evaluate_jumps(const State& state, double softness, Values& values) const;
 
-  const Chain* chain_;
+  const ChordChain* chain_;
 };
 
 /// Joints before and behind point i relative to it: X and Y.
 struct Ends {
   Vec2 x, y;
 };
-[[nodiscard]] Ends ends(const Chain& chain, const State& state, const Ratios& ratios, std::size_t i);
+[[nodiscard]] Ends ends(const ChordChain& chain, const State& state, const Ratios& ratios, std::size_t i);
 [[nodiscard]] Ratios ratios_of(const State& state);
 
 /// The sign and size of d|kappa|/dt (up to a positive factor) along segment i with middle control point e, at a
 /// parameter in the basis's own units.
-[[nodiscard]] double peak_slope(const Chain& chain, std::size_t i, const Vec2& e, const Ends& q, double t);
+[[nodiscard]] double peak_slope(const ChordChain& chain, std::size_t i, const Vec2& e, const Ends& q, double t);
 /// The basis's parameter at the end of a segment.
 [[nodiscard]] double last_parameter(BasisKind basis);
 
-/// How far a state is from a solution, whatever form an iteration uses: the largest of weighted |bend| and, at each
+/// How far a state is from a solution, whatever form an iteration uses: the largest of weighted |jump| and, at each
 /// point, of |miss| in the `divided` form, or in a pinned form where |kappa| peaks at that end if that is less.
 [[nodiscard]] double residual_of(const System& system, const State& state, Values& values);
 /// The same with a given form for each point.
@@ -98,8 +98,8 @@ struct Ends {
 
 /// The stationary point of the segment with these ends through its point, in the basis's own units, and the basis
 /// there (Miura 2022, Section 3.1).
-[[nodiscard]] double stationary_parameter(const Chain& chain, std::size_t i, const Ends& q);
-[[nodiscard]] Blend stationary_blend(const Chain& chain, std::size_t i, const Ends& q);
+[[nodiscard]] double stationary_parameter(const ChordChain& chain, std::size_t i, const Ends& q);
+[[nodiscard]] Blend stationary_blend(const ChordChain& chain, std::size_t i, const Ends& q);
 
 /// Below this fraction of the product of two legs an area is mostly rounding.
 inline constexpr double least_area = 1e-15;

@@ -23,7 +23,7 @@ struct Window {
 
 class WindowSolver {
  public:
-  explicit WindowSolver(const Chain& chain) : chain_(chain), system_(chain) {
+  explicit WindowSolver(const ChordChain& chain) : chain_(chain), system_(chain) {
     solution_.state = initial_state(chain);
     solution_.setting = uniform_setting(chain, Form::divided);
   }
@@ -65,7 +65,7 @@ class WindowSolver {
     solution_.converged = solution_.residual <= accuracy;
     open_.assign(chain_.segments() + 2, false);
     for (std::size_t i = 1; i <= chain_.segments(); ++i)
-      open_[i] = !(values_.miss[i].norm() <= accuracy && values_.weight[i] * std::abs(values_.bend[i]) <= accuracy);
+      open_[i] = !(values_.miss[i].norm() <= accuracy && values_.weight[i] * std::abs(values_.jump[i]) <= accuracy);
     return solution_.converged;
   }
 
@@ -86,7 +86,7 @@ class WindowSolver {
   }
 
   void solve_window(const Window& w, std::size_t pass) {
-    Chain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .end = {}, .size = {}};
+    ChordChain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .end = {}, .size = {}};
     State state;
     Setting setting{.form = std::vector<Form>(w.length + 2, Form::divided)};
     for (std::size_t k = 0; k <= w.length + 1; ++k) {
@@ -101,8 +101,8 @@ class WindowSolver {
       state.e.push_back(solution_.state.e[i]);
       setting.form[k] = solution_.setting.form[i];
     }
-    const Patience patience = pass % 3 == 2 ? Patience::all : Patience::some;
-    Solution local = solve_chain(part, state, pass > 0 ? &setting : nullptr, patience, false);
+    const Attempts attempts = pass % 3 == 2 ? Attempts::all : Attempts::usual;
+    Solution local = solve_chain(part, state, pass > 0 ? &setting : nullptr, attempts, false);
     solution_.effort += local.effort;
     count(local.iterations, w.length);
     if (!local.converged) return;
@@ -121,7 +121,7 @@ class WindowSolver {
     check();
   }
 
-  const Chain& chain_;
+  const ChordChain& chain_;
   System system_;
   Solution solution_;
   Values values_;
@@ -130,6 +130,6 @@ class WindowSolver {
 
 }  // namespace
 
-Solution solve_in_windows(const Chain& chain) { return WindowSolver(chain).solve(); }
+Solution solve_in_windows(const ChordChain& chain) { return WindowSolver(chain).solve(); }
 
 }  // namespace kappabench::kappa

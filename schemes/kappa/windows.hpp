@@ -11,6 +11,6 @@ inline constexpr std::size_t longest_whole_chain = 256;
 /// Newton on the whole chain where that is needed. The influence of a point decays exponentially along the chain,
 /// so a few passes suffice, and one bad spot costs no more than its window: time and memory are linear in the
 /// number of points. The order of windows is fixed, so the result is reproducible. The trace has one entry a pass.
-[[nodiscard]] Solution solve_in_windows(const Chain& chain);
+[[nodiscard]] Solution solve_in_windows(const ChordChain& chain);
 
 }  // namespace kappabench::kappa

@@ -84,7 +84,7 @@ class Eliminated final : public ceres::CostFunction {
 
 /// The trust-region Levenberg-Marquardt of Ceres in coordinates without constraints, with bounds for t.
 template <Continuity K>
-Minimum minimise_ceres(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+Minimum minimise_ceres(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
   FlatProblem<K> flat(chain, rule, options.weights);
   const Eigen::VectorXd start = flat.values_of(chain), lower = flat.lower(), upper = flat.upper();
   Minimum minimum{.energy = flat.objective(start)};
@@ -127,9 +127,9 @@ Minimum minimise_ceres(Chain& chain, const QuadratureRule& rule, const MinimiseO
   return minimum;
 }
 
-template Minimum minimise_ceres<Continuity::c1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ceres<Continuity::g1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ceres<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ceres<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ceres<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ceres<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ceres<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ceres<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

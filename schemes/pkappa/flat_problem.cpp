@@ -11,7 +11,7 @@ namespace {
 
 /// The number that stands at place `at` of block `block`.
 template <Continuity K>
-double& number(Chain& chain, std::size_t block, int at) {
+double& number(JointChain& chain, std::size_t block, int at) {
   using L = Layout<K>;
   if (at == L::parameter_at) return chain.t[block];
   if (at >= L::middle_at) return chain.middles[block][at - L::middle_at];
@@ -25,7 +25,7 @@ double& number(Chain& chain, std::size_t block, int at) {
 }  // namespace
 
 template <Continuity K>
-FlatProblem<K>::FlatProblem(const Chain& chain, const QuadratureRule& rule, const Weights& weights)
+FlatProblem<K>::FlatProblem(const JointChain& chain, const QuadratureRule& rule, const Weights& weights)
     : chain_(chain), system_(rule, weights), energy_(rule), weights_(weights) {
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
     for (int v = 0; v < Layout<K>::multiplier_at; ++v)
@@ -33,8 +33,8 @@ FlatProblem<K>::FlatProblem(const Chain& chain, const QuadratureRule& rule, cons
 }
 
 template <Continuity K>
-Eigen::VectorXd FlatProblem<K>::values_of(const Chain& chain) const {
-  Chain copy = chain;
+Eigen::VectorXd FlatProblem<K>::values_of(const JointChain& chain) const {
+  JointChain copy = chain;
   Eigen::VectorXd x(unknowns());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Place& p = places_[static_cast<std::size_t>(i)];
@@ -44,7 +44,7 @@ Eigen::VectorXd FlatProblem<K>::values_of(const Chain& chain) const {
 }
 
 template <Continuity K>
-const Chain& FlatProblem<K>::chain_at(const Eigen::VectorXd& x) {
+const JointChain& FlatProblem<K>::chain_at(const Eigen::VectorXd& x) {
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Place& p = places_[static_cast<std::size_t>(i)];
     number<K>(chain_, p.block, p.at) = x[i];
@@ -107,7 +107,7 @@ template <Continuity K>
 void FlatProblem<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
   using L = Layout<K>;
   constexpr int side = 2 * L::side;
-  const Chain& chain = chain_at(x);
+  const JointChain& chain = chain_at(x);
   Eigen::VectorXd r;
   Eigen::Matrix<double, Eigen::Dynamic, SegmentEnergy<L::degree>::size> by_control;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -139,7 +139,7 @@ void FlatProblem<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, 
 
 template <Continuity K>
 Eigen::VectorXd FlatProblem<K>::miss(const Eigen::VectorXd& x) {
-  const Chain& chain = chain_at(x);
+  const JointChain& chain = chain_at(x);
   Eigen::VectorXd c(constraints());
   for (std::size_t i = 0; i < chain.size(); ++i)
     c.segment<2>(2 * static_cast<Eigen::Index>(i)) =
@@ -161,7 +161,8 @@ Eigen::MatrixXd FlatProblem<K>::miss_jacobian(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-void accept_if_better(Chain found, const QuadratureRule& rule, const Weights& weights, Chain& chain, Minimum& minimum) {
+void accept_if_better(JointChain found, const QuadratureRule& rule, const Weights& weights, JointChain& chain,
+                      Minimum& minimum) {
   for (std::size_t i = 0; i < found.size(); ++i) found.t[i] = std::clamp(found.t[i], found.t_least[i], found.t_most[i]);
   ChainSystem<K> system(rule, weights);
   const double energy = restore_interpolation<K>(found) ? system.value(found) : minimum.energy;
@@ -178,8 +179,12 @@ template class FlatProblem<Continuity::g1>;
 template class FlatProblem<Continuity::c2>;
 template class FlatProblem<Continuity::g2>;
 
-template void accept_if_better<Continuity::c1>(Chain, const QuadratureRule&, const Weights&, Chain&, Minimum&);
-template void accept_if_better<Continuity::g1>(Chain, const QuadratureRule&, const Weights&, Chain&, Minimum&);
-template void accept_if_better<Continuity::c2>(Chain, const QuadratureRule&, const Weights&, Chain&, Minimum&);
-template void accept_if_better<Continuity::g2>(Chain, const QuadratureRule&, const Weights&, Chain&, Minimum&);
+template void accept_if_better<Continuity::c1>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
+                                               Minimum&);
+template void accept_if_better<Continuity::g1>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
+                                               Minimum&);
+template void accept_if_better<Continuity::c2>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
+                                               Minimum&);
+template void accept_if_better<Continuity::g2>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
+                                               Minimum&);
 }  // namespace kappabench::pkappa

@@ -13,12 +13,12 @@ namespace kappabench::pkappa {
 template <Continuity K>
 class FlatProblem {
  public:
-  FlatProblem(const Chain& chain, const QuadratureRule& rule, const Weights& weights);
+  FlatProblem(const JointChain& chain, const QuadratureRule& rule, const Weights& weights);
 
   [[nodiscard]] Eigen::Index unknowns() const { return static_cast<Eigen::Index>(places_.size()); }
   [[nodiscard]] Eigen::Index constraints() const { return 2 * static_cast<Eigen::Index>(chain_.size()); }
-  [[nodiscard]] Eigen::VectorXd values_of(const Chain& chain) const;
-  [[nodiscard]] const Chain& chain_at(const Eigen::VectorXd& x);
+  [[nodiscard]] Eigen::VectorXd values_of(const JointChain& chain) const;
+  [[nodiscard]] const JointChain& chain_at(const Eigen::VectorXd& x);
 
   /// Infinite where t has no bounds.
   [[nodiscard]] Eigen::VectorXd lower() const { return bounds(-1.0); }
@@ -44,7 +44,7 @@ class FlatProblem {
   [[nodiscard]] Eigen::VectorXd bounds(double sign) const;
   void linearise_at(const Eigen::VectorXd& x);
 
-  Chain chain_;
+  JointChain chain_;
   ChainSystem<K> system_;
   SegmentEnergy<Layout<K>::degree> energy_;
   Weights weights_;
@@ -55,6 +55,7 @@ class FlatProblem {
 /// Ends a general optimiser's run: `found` with its interpolation restored becomes `chain` if its energy is less than
 /// `minimum.energy`, which it then becomes; else the run counts as not converged.
 template <Continuity K>
-void accept_if_better(Chain found, const QuadratureRule& rule, const Weights& weights, Chain& chain, Minimum& minimum);
+void accept_if_better(JointChain found, const QuadratureRule& rule, const Weights& weights, JointChain& chain,
+                      Minimum& minimum);
 
 }  // namespace kappabench::pkappa

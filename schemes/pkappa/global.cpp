@@ -12,10 +12,10 @@
 namespace kappabench::pkappa {
 namespace {
 
-Chain bare_chain(const Input& input, const Vec2& origin, double unit) {
+JointChain bare_chain(const Input& input, const Vec2& origin, double unit) {
   const std::vector<Vec2>& points = input.points;
   const bool closed = input.closed;
-  Chain chain{.cyclic = closed};
+  JointChain chain{.cyclic = closed};
   const auto into = [&](const Vec2& p) { return Vec2((p - origin) / unit); };
   const std::size_t skip = closed ? 0 : 1;
   for (std::size_t i = skip; i + skip < points.size(); ++i) chain.points.push_back(into(points[i]));
@@ -30,9 +30,9 @@ Chain bare_chain(const Input& input, const Vec2& origin, double unit) {
 }
 
 /// The part of a chain of `count` segments from `first` on, what lies beyond held.
-Chain extract(const Chain& chain, std::size_t first, std::size_t count) {
+JointChain extract(const JointChain& chain, std::size_t first, std::size_t count) {
   const std::size_t n = chain.size();
-  Chain part;
+  JointChain part;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (first + k) % n;
     part.joints.push_back(chain.joints[i]);
@@ -52,7 +52,7 @@ Chain extract(const Chain& chain, std::size_t first, std::size_t count) {
 }
 
 /// Puts the inner joints and the segments of a part back.
-void insert(const Chain& part, std::size_t first, Chain& chain) {
+void insert(const JointChain& part, std::size_t first, JointChain& chain) {
   const std::size_t n = chain.size();
   for (std::size_t k = 0; k < part.size(); ++k) {
     const std::size_t i = (first + k) % n;
@@ -67,7 +67,7 @@ void insert(const Chain& part, std::size_t first, Chain& chain) {
 
 /// E_p of every segment on the fine rule.
 template <Continuity K>
-std::vector<double> parabola_energies(const Chain& chain) {
+std::vector<double> parabola_energies(const JointChain& chain) {
   SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
   std::vector<double> e;
   for (std::size_t i = 0; i < chain.size(); ++i) e.push_back(energy.terms(polygon<K>(chain, i), chain.t[i]).parabola);
@@ -76,7 +76,7 @@ std::vector<double> parabola_energies(const Chain& chain) {
 
 /// Solves the surroundings of every segment of large E_p, worst first, from other starts, and keeps what is better.
 template <Continuity K>
-void repair(Chain& chain, const WindowSettings& settings, GlobalReport& report) {
+void repair(JointChain& chain, const WindowSettings& settings, GlobalReport& report) {
   constexpr double large = 0.02;
   constexpr std::size_t reach = 3;
   const std::size_t n = chain.size();
@@ -89,11 +89,11 @@ void repair(Chain& chain, const WindowSettings& settings, GlobalReport& report) 
   for (const std::size_t i : order) {
     const std::size_t first = chain.cyclic ? (i + n - std::min(reach, n)) % n : i - std::min(i, reach);
     const std::size_t count = std::min(2 * reach + 1, chain.cyclic ? n : n - first);
-    Chain best = extract(chain, first, count);
-    const Chain given = best;
+    JointChain best = extract(chain, first, count);
+    const JointChain given = best;
     double energy = exact.value(best);
     bool improved = false;
-    for (std::optional<Chain> start : {std::optional(given), fair_start<K>(given), polygonal_start<K>(given)}) {
+    for (std::optional<JointChain> start : {std::optional(given), fair_start<K>(given), polygonal_start<K>(given)}) {
       if (!start) continue;
       const Minimum m = minimise<K>(Solver::lm, *start, fine_gauss_rule(),
                                     {settings.weights, settings.first_iterations, settings.tolerance});
@@ -111,7 +111,7 @@ void repair(Chain& chain, const WindowSettings& settings, GlobalReport& report) 
 
 /// Whether a block still has something to gain: more than a small part of the mean energy of a segment.
 template <Continuity K>
-std::vector<char> unsettled_segments(const Chain& chain, const QuadratureRule& rule, const Weights& weights) {
+std::vector<char> unsettled_segments(const JointChain& chain, const QuadratureRule& rule, const Weights& weights) {
   constexpr double damping = 1e-6, small = 1e-6;
   ChainSystem<K> system(rule, weights);
   typename ChainSystem<K>::Step step;
@@ -148,7 +148,8 @@ std::vector<Range> windows_over(const std::vector<char>& marked, std::size_t lon
 /// Minimises a long chain: as a whole while that pays, then in windows over what has not settled, each with a damping
 /// of its own so that a bad spot does not slow the rest, then as a whole again.
 template <Continuity K>
-Minimum settle(Chain& chain, const QuadratureRule& rule, const Weights& weights, double tolerance, int iterations) {
+Minimum settle(JointChain& chain, const QuadratureRule& rule, const Weights& weights, double tolerance,
+               int iterations) {
   constexpr double rough = 1e-3, by_parts = 1e-7, near = 1e-6, enough = 1e-7;
   constexpr std::size_t short_chain = 32, longest = 16, reach = 4;
   constexpr int sweeps = 3, steps = 4;
@@ -156,7 +157,7 @@ Minimum settle(Chain& chain, const QuadratureRule& rule, const Weights& weights,
   Minimum whole = minimise<K>(Solver::lm, chain, rule, {weights, iterations, rough});
   for (int sweep = 0; tolerance < rough && sweep < sweeps && !(whole.decrease < enough && sweep > 0); ++sweep) {
     for (const Range& w : windows_over(unsettled_segments<K>(chain, rule, weights), longest, reach)) {
-      Chain part = extract(chain, w.first, w.count);
+      JointChain part = extract(chain, w.first, w.count);
       minimise<K>(Solver::lm, part, rule, {weights, iterations, by_parts});
       insert(part, w.first, chain);
     }
@@ -175,13 +176,13 @@ template <Continuity K>
 Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report) {
   const double unit = settings.raw_units ? 1.0 : mean_chord(input);
   const Vec2 origin = input.points.front();
-  const Chain bare = bare_chain(input, origin, unit);
-  std::optional<Chain> start = fair_start<K>(bare);
+  const JointChain bare = bare_chain(input, origin, unit);
+  std::optional<JointChain> start = fair_start<K>(bare);
   if (!start) start = polygonal_start<K>(bare);
   if (!start) return {};
-  Chain chain = std::move(*start);
+  JointChain chain = std::move(*start);
 
-  const auto phase = [&](Chain& c, const QuadratureRule& rule, const Weights& weights, int iterations,
+  const auto phase = [&](JointChain& c, const QuadratureRule& rule, const Weights& weights, int iterations,
                          double tolerance) {
     const Minimum m = settle<K>(c, rule, weights, tolerance, iterations);
     report.iterations += m.iterations;
@@ -200,7 +201,7 @@ Spline<K> solve_globally(const Input& input, const WindowSettings& settings, Glo
   // Stage 1 only prepares stage 2, unless there is none.
   const bool one_stage = settings.second_iterations == 0;
   phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
-  Chain second = chain;
+  JointChain second = chain;
   if (!one_stage) phase(second, *rule, settings.reduced_weights(), settings.second_iterations, settings.tolerance);
   if (verify<K>(second, *rule).sound) chain = std::move(second);
 

@@ -10,10 +10,10 @@ namespace kappabench::pkappa {
 /// Levenberg-Marquardt with the parabolas eliminated; every iterate interpolates. Where the decrease is small, the
 /// second derivatives of the constraints and joints count as well, for the last digits.
 template <Continuity K>
-Minimum minimise_lm(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+Minimum minimise_lm(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
   ChainSystem<K> here(rule, options.weights), there(rule, options.weights);
   typename ChainSystem<K>::Step step;
-  Chain trial;
+  JointChain trial;
   Minimum minimum{.energy = here.linearise(chain, {})};
   if (!std::isfinite(minimum.energy)) return minimum;
 
@@ -56,9 +56,9 @@ Minimum minimise_lm(Chain& chain, const QuadratureRule& rule, const MinimiseOpti
   return minimum;
 }
 
-template Minimum minimise_lm<Continuity::c1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_lm<Continuity::g1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_lm<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_lm<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_lm<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_lm<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_lm<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_lm<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

@@ -39,7 +39,7 @@ struct Problem {
 
 /// SLSQP (Kraft 1988) of NLopt on the constrained problem.
 template <Continuity K>
-Minimum minimise_nlopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+Minimum minimise_nlopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
   Problem<K> problem{FlatProblem<K>(chain, rule, options.weights)};
   const Eigen::VectorXd start = problem.flat.values_of(chain), lower = problem.flat.lower(),
                         upper = problem.flat.upper();
@@ -70,9 +70,9 @@ Minimum minimise_nlopt(Chain& chain, const QuadratureRule& rule, const MinimiseO
   return minimum;
 }
 
-template Minimum minimise_nlopt<Continuity::c1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::g1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_nlopt<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_nlopt<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_nlopt<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_nlopt<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

@@ -22,7 +22,7 @@ Solver solver_named(std::string_view name) {
 }
 
 template <Continuity K>
-Minimum minimise(Solver solver, Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
   switch (solver) {
     case Solver::ceres:
       return minimise_ceres<K>(chain, rule, options);
@@ -37,9 +37,9 @@ Minimum minimise(Solver solver, Chain& chain, const QuadratureRule& rule, const 
   }
 }
 
-template Minimum minimise<Continuity::c1>(Solver, Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise<Continuity::g1>(Solver, Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise<Continuity::c2>(Solver, Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise<Continuity::g2>(Solver, Chain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise<Continuity::c1>(Solver, JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise<Continuity::g1>(Solver, JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise<Continuity::c2>(Solver, JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise<Continuity::g2>(Solver, JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 
 namespace kappabench::pkappa {
 
@@ -34,16 +34,16 @@ struct Minimum {
 /// Minimises the weighted energy over the chain's unknowns (Wang 2024, Eqs. (6) to (8)). `chain` must interpolate and
 /// have finite energy; it interpolates afterwards and is not worse.
 template <Continuity K>
-Minimum minimise(Solver solver, Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 
 /// The same by each solver; the declarations are for solver.cpp.
 template <Continuity K>
-Minimum minimise_lm(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+Minimum minimise_lm(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 template <Continuity K>
-Minimum minimise_ceres(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+Minimum minimise_ceres(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 template <Continuity K>
-Minimum minimise_nlopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+Minimum minimise_nlopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 template <Continuity K>
-Minimum minimise_ipopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+Minimum minimise_ipopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 
 }  // namespace kappabench::pkappa

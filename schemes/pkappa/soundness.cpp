@@ -30,7 +30,7 @@ Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<c
 }
 
 template <Continuity K>
-Verification verify(const Chain& chain, const QuadratureRule& rule) {
+Verification verify(const JointChain& chain, const QuadratureRule& rule) {
   constexpr int degree = Layout<K>::degree;
   std::vector<ControlPolygon<degree>> control;
   for (std::size_t i = 0; i < chain.size(); ++i) control.push_back(polygon<K>(chain, i));
@@ -41,9 +41,9 @@ template Verification verify<4>(std::span<const ControlPolygon<4>>, std::span<co
                                 double, const QuadratureRule&);
 template Verification verify<5>(std::span<const ControlPolygon<5>>, std::span<const double>, std::span<const Vec2>,
                                 double, const QuadratureRule&);
-template Verification verify<Continuity::c1>(const Chain&, const QuadratureRule&);
-template Verification verify<Continuity::g1>(const Chain&, const QuadratureRule&);
-template Verification verify<Continuity::c2>(const Chain&, const QuadratureRule&);
-template Verification verify<Continuity::g2>(const Chain&, const QuadratureRule&);
+template Verification verify<Continuity::c1>(const JointChain&, const QuadratureRule&);
+template Verification verify<Continuity::g1>(const JointChain&, const QuadratureRule&);
+template Verification verify<Continuity::c2>(const JointChain&, const QuadratureRule&);
+template Verification verify<Continuity::g2>(const JointChain&, const QuadratureRule&);
 
 }  // namespace kappabench::pkappa

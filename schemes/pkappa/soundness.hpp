@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 
 namespace kappabench::pkappa {
 
@@ -25,6 +25,6 @@ template <int Degree>
 
 /// Of a chain, which has the unit 1.
 template <Continuity K>
-[[nodiscard]] Verification verify(const Chain& chain, const QuadratureRule& rule);
+[[nodiscard]] Verification verify(const JointChain& chain, const QuadratureRule& rule);
 
 }  // namespace kappabench::pkappa

@@ -9,7 +9,7 @@ namespace {
 
 /// Chord-length values of t: the share of its part of the polygon that a segment has before its point. Joints are taken
 /// to lie halfway between points; where a joint is fixed or an end point, its position is used.
-std::vector<double> chord_parameters(const Chain& chain) {
+std::vector<double> chord_parameters(const JointChain& chain) {
   const std::size_t n = chain.size();
   std::vector<double> t(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -77,7 +77,7 @@ void fix(System& system, std::span<Right> right, std::size_t k, int v, const Vec
 }
 
 template <Continuity K>
-void fix_joint(const Chain& chain, std::size_t k, System& system, std::span<Right> right) {
+void fix_joint(const JointChain& chain, std::size_t k, System& system, std::span<Right> right) {
   if (chain.freedom[k] == Freedom::all) return;
   const Joint& joint = chain.joints[k];
   fix(system, right, k, 0, joint.position);
@@ -89,8 +89,8 @@ void fix_joint(const Chain& chain, std::size_t k, System& system, std::span<Righ
 }  // namespace
 
 template <Continuity K>
-std::optional<Chain> fair_start(const Chain& given) {
-  Chain chain = given;
+std::optional<JointChain> fair_start(const JointChain& given) {
+  JointChain chain = given;
   set_boxes(chain, chord_parameters(chain));
   using L = Layout<K>;
   const std::size_t n = chain.size(), blocks = chain.joints.size();
@@ -145,8 +145,8 @@ std::optional<Chain> fair_start(const Chain& given) {
 }
 
 template <Continuity K>
-std::optional<Chain> polygonal_start(const Chain& given) {
-  Chain chain = given;
+std::optional<JointChain> polygonal_start(const JointChain& given) {
+  JointChain chain = given;
   using L = Layout<K>;
   const std::size_t n = chain.size();
   // Edges from a joint to the point beside it: 2 of a quintic (c_2 is the point), 1 of a quartic (c_2 is the middle).
@@ -169,13 +169,13 @@ std::optional<Chain> polygonal_start(const Chain& given) {
   return chain;
 }
 
-template std::optional<Chain> polygonal_start<Continuity::c1>(const Chain&);
-template std::optional<Chain> polygonal_start<Continuity::g1>(const Chain&);
-template std::optional<Chain> polygonal_start<Continuity::c2>(const Chain&);
-template std::optional<Chain> polygonal_start<Continuity::g2>(const Chain&);
-template std::optional<Chain> fair_start<Continuity::c1>(const Chain&);
-template std::optional<Chain> fair_start<Continuity::g1>(const Chain&);
-template std::optional<Chain> fair_start<Continuity::c2>(const Chain&);
-template std::optional<Chain> fair_start<Continuity::g2>(const Chain&);
+template std::optional<JointChain> polygonal_start<Continuity::c1>(const JointChain&);
+template std::optional<JointChain> polygonal_start<Continuity::g1>(const JointChain&);
+template std::optional<JointChain> polygonal_start<Continuity::c2>(const JointChain&);
+template std::optional<JointChain> polygonal_start<Continuity::g2>(const JointChain&);
+template std::optional<JointChain> fair_start<Continuity::c1>(const JointChain&);
+template std::optional<JointChain> fair_start<Continuity::g1>(const JointChain&);
+template std::optional<JointChain> fair_start<Continuity::c2>(const JointChain&);
+template std::optional<JointChain> fair_start<Continuity::g2>(const JointChain&);
 
 }  // namespace kappabench::pkappa

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 
 namespace kappabench::pkappa {
 
@@ -12,11 +12,11 @@ namespace kappabench::pkappa {
 /// The control polygons of least bending, sum |c_{j+1} - 2 c_j + c_{j-1}|^2, among all C1 or C2 chains that pass the
 /// points at t of the chord lengths.
 template <Continuity K>
-[[nodiscard]] std::optional<Chain> fair_start(const Chain& given);
+[[nodiscard]] std::optional<JointChain> fair_start(const JointChain& given);
 
 /// Control polygons along the polygon of the points: joints halfway, straight there, each edge in proportion to its own
 /// chord, t = 1/2. Rough, but free of loops however uneven the chords are.
 template <Continuity K>
-[[nodiscard]] std::optional<Chain> polygonal_start(const Chain& given);
+[[nodiscard]] std::optional<JointChain> polygonal_start(const JointChain& given);
 
 }  // namespace kappabench::pkappa

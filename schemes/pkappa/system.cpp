@@ -14,7 +14,7 @@ constexpr double not_held = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 template <Continuity K>
-double ChainSystem<K>::value(const Chain& chain) {
+double ChainSystem<K>::value(const JointChain& chain) {
   double sum = 0.0;
   for (std::size_t i = 0; i < chain.size(); ++i)
     sum += energy_.terms(polygon<K>(chain, i), chain.t[i]).weighted(weights_);
@@ -22,7 +22,7 @@ double ChainSystem<K>::value(const Chain& chain) {
 }
 
 template <Continuity K>
-double ChainSystem<K>::linearise(const Chain& chain, const Step& last) {
+double ChainSystem<K>::linearise(const JointChain& chain, const Step& last) {
   const std::size_t n = chain.size(), blocks = chain.joints.size();
   matrix_.resize(blocks);
   matrix_.cyclic = chain.cyclic;
@@ -48,7 +48,7 @@ double ChainSystem<K>::linearise(const Chain& chain, const Step& last) {
 
 /// The energy of segment i, from its control points to the unknowns.
 template <Continuity K>
-void ChainSystem<K>::add_segment(const Chain& chain, std::size_t i) {
+void ChainSystem<K>::add_segment(const JointChain& chain, std::size_t i) {
   using L = Layout<K>;
   constexpr int side = 2 * L::side, own = L::middle + 1, size = SegmentNormal<L::degree>::size;
   const std::size_t j = chain.end_joint(i);
@@ -99,7 +99,7 @@ void ChainSystem<K>::add_segment(const Chain& chain, std::size_t i) {
 
 /// P_i(t_i) = p_i to first order; the chain satisfies it, so the right-hand side is zero.
 template <Continuity K>
-void ChainSystem<K>::add_constraint(const Chain& chain, std::size_t i) {
+void ChainSystem<K>::add_constraint(const JointChain& chain, std::size_t i) {
   using L = Layout<K>;
   constexpr int side = 2 * L::side;
   const std::size_t j = chain.end_joint(i);
@@ -122,10 +122,10 @@ void ChainSystem<K>::add_constraint(const Chain& chain, std::size_t i) {
   matrix_.lower[j].template block<L::joint, 2>(0, m) += next.transpose();
 }
 
-/// How the control points bend with the joints' numbers, pulled by the energy and the multiplier, and how the
-/// interpolated point bends with t.
+/// Second derivatives of the control points by the joints' numbers, pulled by the energy and the multiplier, and of the
+/// interpolated point by t.
 template <Continuity K>
-void ChainSystem<K>::add_curvature(const Chain& chain, std::size_t i, const Vec2& multiplier) {
+void ChainSystem<K>::add_curvature(const JointChain& chain, std::size_t i, const Vec2& multiplier) {
   using L = Layout<K>;
   const std::size_t j = chain.end_joint(i);
   const auto basis = bernstein<L::degree>(chain.t[i]);
@@ -178,7 +178,7 @@ void ChainSystem<K>::scale_damping() {
 }
 
 template <Continuity K>
-bool ChainSystem<K>::solve(const Chain& chain, double damping, Step& out) {
+bool ChainSystem<K>::solve(const JointChain& chain, double damping, Step& out) {
   using L = Layout<K>;
   const std::size_t n = chain.size(), blocks = matrix_.size();
   damped_ = matrix_;
@@ -214,7 +214,7 @@ bool ChainSystem<K>::solve(const Chain& chain, double damping, Step& out) {
 
 /// The derivative of the damped model by a t that is held, at the end of `step`.
 template <Continuity K>
-double ChainSystem<K>::slope_of_held(const Chain& chain, std::size_t i, double damping, const Step& step) const {
+double ChainSystem<K>::slope_of_held(const JointChain& chain, std::size_t i, double damping, const Step& step) const {
   constexpr int t = Layout<K>::parameter_at;
   const std::size_t j = chain.end_joint(i);
   return matrix_.diagonal[i].row(t).dot(step[i]) + matrix_.upper[i].row(t).dot(step[j]) +
@@ -224,7 +224,7 @@ double ChainSystem<K>::slope_of_held(const Chain& chain, std::size_t i, double d
 /// The quadratic program in the boxes of t by a primal-dual active set (Hintermueller, Ito, Kunisch 2002): hold every t
 /// that would leave, release every one that would rather come back, until nothing changes.
 template <Continuity K>
-bool ChainSystem<K>::step(const Chain& chain, double damping, Step& out) {
+bool ChainSystem<K>::step(const JointChain& chain, double damping, Step& out) {
   constexpr int t_at = Layout<K>::parameter_at, most_rounds = 8;
   const std::size_t n = chain.size();
   held_.resize(n, not_held);
@@ -277,7 +277,7 @@ double ChainSystem<K>::entry(std::size_t block_row, int row, std::size_t block_c
 }
 
 template <Continuity K>
-bool advance(const Chain& from, const typename ChainSystem<K>::Step& step, Chain& to) {
+bool advance(const JointChain& from, const typename ChainSystem<K>::Step& step, JointChain& to) {
   using L = Layout<K>;
   to = from;
   for (std::size_t k = 0; k < from.joints.size(); ++k) {
@@ -299,9 +299,9 @@ template class ChainSystem<Continuity::c1>;
 template class ChainSystem<Continuity::g1>;
 template class ChainSystem<Continuity::c2>;
 template class ChainSystem<Continuity::g2>;
-template bool advance<Continuity::c1>(const Chain&, const ChainSystem<Continuity::c1>::Step&, Chain&);
-template bool advance<Continuity::g1>(const Chain&, const ChainSystem<Continuity::g1>::Step&, Chain&);
-template bool advance<Continuity::c2>(const Chain&, const ChainSystem<Continuity::c2>::Step&, Chain&);
-template bool advance<Continuity::g2>(const Chain&, const ChainSystem<Continuity::g2>::Step&, Chain&);
+template bool advance<Continuity::c1>(const JointChain&, const ChainSystem<Continuity::c1>::Step&, JointChain&);
+template bool advance<Continuity::g1>(const JointChain&, const ChainSystem<Continuity::g1>::Step&, JointChain&);
+template bool advance<Continuity::c2>(const JointChain&, const ChainSystem<Continuity::c2>::Step&, JointChain&);
+template bool advance<Continuity::g2>(const JointChain&, const ChainSystem<Continuity::g2>::Step&, JointChain&);
 
 }  // namespace kappabench::pkappa

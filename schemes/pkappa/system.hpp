@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "schemes/numerics/block_tridiagonal.hpp"
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 #include "schemes/pkappa/segment_energy.hpp"
 
 namespace kappabench::pkappa {
@@ -21,17 +21,17 @@ class ChainSystem {
   ChainSystem(const QuadratureRule& rule, const Weights& weights) : energy_(rule), weights_(weights) {}
 
   /// Sum of the weighted energies; infinite if one is.
-  [[nodiscard]] double value(const Chain& chain);
+  [[nodiscard]] double value(const JointChain& chain);
 
   /// Energy, gradient and second derivatives of the Lagrangian at `chain`, which `step` then uses. `last` is the step
   /// that led here, for its multipliers; empty at the start, where they count as zero.
-  double linearise(const Chain& chain, const Step& last);
+  double linearise(const JointChain& chain, const Step& last);
 
   void set_exact(bool exact) { exact_ = exact; }
 
   /// The step that minimises the quadratic model damped by `damping` times the mean diagonal of each kind of unknown,
   /// with t kept in its box. False if the system is singular.
-  [[nodiscard]] bool step(const Chain& chain, double damping, Step& out);
+  [[nodiscard]] bool step(const JointChain& chain, double damping, Step& out);
 
   /// By how much the undamped model falls along a step of `step` with that damping.
   [[nodiscard]] double predicted_decrease(const Step& step, double damping) const;
@@ -44,12 +44,12 @@ class ChainSystem {
   [[nodiscard]] double entry(std::size_t block_row, int row, std::size_t block_column, int column) const;
 
  private:
-  void add_segment(const Chain& chain, std::size_t i);
-  void add_constraint(const Chain& chain, std::size_t i);
-  void add_curvature(const Chain& chain, std::size_t i, const Vec2& multiplier);
+  void add_segment(const JointChain& chain, std::size_t i);
+  void add_constraint(const JointChain& chain, std::size_t i);
+  void add_curvature(const JointChain& chain, std::size_t i, const Vec2& multiplier);
   void scale_damping();
-  [[nodiscard]] bool solve(const Chain& chain, double damping, Step& out);
-  [[nodiscard]] double slope_of_held(const Chain& chain, std::size_t i, double damping, const Step& step) const;
+  [[nodiscard]] bool solve(const JointChain& chain, double damping, Step& out);
+  [[nodiscard]] double slope_of_held(const JointChain& chain, std::size_t i, double damping, const Step& step) const;
 
   SegmentEnergy<Layout<K>::degree> energy_;
   Weights weights_;
@@ -74,6 +74,6 @@ template <Continuity K>
 
 /// The chain after a step, interpolation restored. False if it cannot be.
 template <Continuity K>
-[[nodiscard]] bool advance(const Chain& from, const typename ChainSystem<K>::Step& step, Chain& to);
+[[nodiscard]] bool advance(const JointChain& from, const typename ChainSystem<K>::Step& step, JointChain& to);
 
 }  // namespace kappabench::pkappa

@@ -39,7 +39,7 @@ struct Frame {
 };
 
 template <Continuity K>
-Chain chain_in(const Frame& frame, const Window<K>& window) {
+JointChain chain_in(const Frame& frame, const Window<K>& window) {
   std::vector<ControlPolygon<Layout<K>::degree>> control;
   for (const auto& c : window.start.control) control.push_back(frame.into(c));
   std::vector<Vec2> points;
@@ -48,14 +48,14 @@ Chain chain_in(const Frame& frame, const Window<K>& window) {
 }
 
 template <Continuity K>
-std::optional<Chain> published_start(const Chain& given) {
-  Chain chain = given;
+std::optional<JointChain> published_start(const JointChain& given) {
+  JointChain chain = given;
   if (!restore_interpolation<K>(chain)) return std::nullopt;
   return chain;
 }
 
 struct Candidate {
-  Chain chain;
+  JointChain chain;
   double energy = std::numeric_limits<double>::infinity();
   Verification verification;
   bool converged = false;
@@ -68,7 +68,7 @@ class FirstStage {
   FirstStage(const WindowSettings& settings, WindowReport& report) : settings_(settings), report_(report) {}
 
   /// Minimises from the better of the starts; keeps the result if it is better than what there is.
-  void run(std::span<const std::optional<Chain>> starts, const QuadratureRule& rule) {
+  void run(std::span<const std::optional<JointChain>> starts, const QuadratureRule& rule) {
     constexpr double rough = 1e-2;
     Candidate candidate;
     for (const auto& start : starts) {
@@ -108,10 +108,10 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
   WindowReport report;
   const Frame frame{settings.raw_units ? Vec2::Zero() : window.points.front(),
                     settings.raw_units ? 1.0 : window_unit(window)};
-  const Chain given = chain_in<K>(frame, window);
+  const JointChain given = chain_in<K>(frame, window);
 
   FirstStage<K> first_stage(settings, report);
-  std::vector<std::optional<Chain>> starts{published_start<K>(given)};
+  std::vector<std::optional<JointChain>> starts{published_start<K>(given)};
   if (settings.robust) starts.push_back(fair_start<K>(given));
   first_stage.run(starts, *settings.rule);
   if (settings.robust && !first_stage.best().verification.sound) {
@@ -126,10 +126,10 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
   if (!std::isfinite(best.energy)) return report;
 
   // Stage 2; if what comes out is not sound, with the finer rule; if that is not either, stage 1 stays.
-  Chain result = best.chain;
+  JointChain result = best.chain;
   report.second_stage_reverted = true;
   for (const QuadratureRule* rule : {settings.rule, &fine_gauss_rule()}) {
-    Chain second = best.chain;
+    JointChain second = best.chain;
     const Minimum m = minimise<K>(settings.solver, second, *rule,
                                   {settings.reduced_weights(), settings.second_iterations, settings.tolerance});
     report.iterations += m.iterations;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 #include "schemes/pkappa/solver.hpp"
 #include "schemes/pkappa/soundness.hpp"
 

@@ -17,17 +17,17 @@ constexpr int gauss_points = 20;
 /// Radians of phase in one panel for which the rule is exact to rounding.
 constexpr double phase_of_panel = 6.0;
 
-Complex unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Complex direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// a > 0 and the phase's stationary point -b / a not after the middle: with x = (b + a u) / sqrt(2 a) the phase is
 /// x^2 - x_0^2, and the integral from x_0 to x_1 is a difference of tails.
 Complex by_tails(double b, double a) {
   const double root = std::sqrt(2.0 * a);
   const double x0 = b / root, x1 = (b + a) / root;
-  const Complex end = unit(b + 0.5 * a) * fresnel_tail(x1);
+  const Complex end = direction(b + 0.5 * a) * fresnel_tail(x1);
   // F(-x) = 1 - F(x) before the stationary point.
-  const Complex start = x0 >= 0.0 ? fresnel_tail(x0) : unit(-x0 * x0) - fresnel_tail(-x0);
-  return std::sqrt(2.0 * pi / a) * unit(pi / 4.0) * (start - end);
+  const Complex start = x0 >= 0.0 ? fresnel_tail(x0) : direction(-x0 * x0) - fresnel_tail(-x0);
+  return std::sqrt(2.0 * pi / a) * direction(pi / 4.0) * (start - end);
 }
 
 }  // namespace
@@ -36,13 +36,13 @@ Complex clothoid_integral(double b, double a) {
   if (std::abs(b) + 0.5 * std::abs(a) <= phase_of_panel) {
     Complex sum = 0.0;
     for_gauss_nodes<gauss_points>(0.0, 1.0,
-                                  [&](double u, double weight) { sum += weight * unit((b + 0.5 * a * u) * u); });
+                                  [&](double u, double weight) { sum += weight * direction((b + 0.5 * a * u) * u); });
     return sum;
   }
   // A circular arc: the phase of the curvature rate is below rounding.
-  if (std::abs(a) < 1e-20) return unit(0.5 * b) * (std::sin(0.5 * b) / (0.5 * b));
+  if (std::abs(a) < 1e-20) return direction(0.5 * b) * (std::sin(0.5 * b) / (0.5 * b));
   if (a < 0.0) return std::conj(clothoid_integral(-b, -a));
-  if (b + a <= 0.0) return unit(b + 0.5 * a) * clothoid_integral(-(b + a), a);  // run backwards: u -> 1 - u
+  if (b + a <= 0.0) return direction(b + 0.5 * a) * clothoid_integral(-(b + a), a);  // run backwards: u -> 1 - u
   return by_tails(b, a);
 }
 
@@ -50,7 +50,7 @@ std::array<Complex, 3> clothoid_moments(double heading, double b, double a) {
   const int panels = 1 + static_cast<int>((std::abs(b) + 0.5 * std::abs(a)) / phase_of_panel);
   std::array<Complex, 3> moments{};
   for_composite_gauss_nodes<gauss_points>(panels, [&](double u, double weight) {
-    const Complex value = weight * unit(heading + (b + 0.5 * a * u) * u);
+    const Complex value = weight * direction(heading + (b + 0.5 * a * u) * u);
     moments[0] += value;
     moments[1] += u * value;
     moments[2] += u * u * value;
@@ -59,7 +59,7 @@ std::array<Complex, 3> clothoid_moments(double heading, double b, double a) {
 }
 
 Vec2 clothoid_displacement(double angle, double curvature, double curvature_rate, double s) {
-  const Complex d = s * unit(angle) * clothoid_integral(curvature * s, curvature_rate * s * s);
+  const Complex d = s * direction(angle) * clothoid_integral(curvature * s, curvature_rate * s * s);
   return {d.real(), d.imag()};
 }
 

@@ -55,10 +55,10 @@ Solution run_libspiro(const Input& input) {
 /// chord.
 ClothoidForm clothoid_between(const Vec2& p0, const Vec2& p1, double k0, double k1) {
   const double start = k0 - 0.5 * k1, heading = -0.5 * k0 + 0.125 * k1;
-  const Vec2 unit = clothoid_displacement(heading, start, k1, 1.0), chord = p1 - p0;
-  const double length = chord.norm() / unit.norm();
+  const Vec2 end = clothoid_displacement(heading, start, k1, 1.0), chord = p1 - p0;
+  const double length = chord.norm() / end.norm();
   return {.start = p0,
-          .angle = std::atan2(chord.y(), chord.x()) - std::atan2(unit.y(), unit.x()) + heading,
+          .angle = std::atan2(chord.y(), chord.x()) - std::atan2(end.y(), end.x()) + heading,
           .curvature = start / length,
           .curvature_rate = k1 / (length * length),
           .length = length};
@@ -70,9 +70,9 @@ double largest_jump(std::span<const ClothoidForm> clothoids, bool closed) {
   for (std::size_t i = 0; i + (closed ? 0 : 1) < clothoids.size(); ++i) {
     const ClothoidForm &a = clothoids[i], &b = clothoids[(i + 1) % clothoids.size()];
     const double heading = a.angle + (a.curvature + 0.5 * a.curvature_rate * a.length) * a.length;
-    const double bend = a.curvature + a.curvature_rate * a.length - b.curvature;
+    const double curvature = a.curvature + a.curvature_rate * a.length - b.curvature;
     for (const double jump : {std::abs(std::remainder(heading - b.angle, 2.0 * std::numbers::pi)),
-                              std::abs(bend) * std::min(a.length, b.length)})
+                              std::abs(curvature) * std::min(a.length, b.length)})
       largest = std::isfinite(jump) ? std::max(largest, jump) : std::numeric_limits<double>::infinity();
   }
   return largest;

@@ -102,7 +102,7 @@ void measure_triangle(const Uses&, Notes& notes) {
   const std::array log_ratio{std::log(3.3569898250224233), std::log(1.25357562), std::log(9.15856176)};
   for (const bool rule : {false, true}) {
     const fpc::Tasks read = fpc::read_tasks(input, {.h_sign_by_rule = rule});
-    const fpc::Chain chain = fpc::make_chain(input.points, read.tasks, true);
+    const fpc::CubicChain chain = fpc::make_chain(input.points, read.tasks, true);
     notes.row({rule ? by_rule : as_given}, {condition(fpc::joint_condition(chain, log_ratio))});
   }
 }

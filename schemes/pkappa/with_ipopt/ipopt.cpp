@@ -110,7 +110,7 @@ class Problem final : public Ipopt::TNLP {
 
 /// The interior-point method (as in Wang 2024, Section 6.1) of Ipopt on the constrained problem.
 template <Continuity K>
-Minimum minimise_ipopt(Chain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+Minimum minimise_ipopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
   FlatProblem<K> flat(chain, rule, options.weights);
   const Eigen::VectorXd start = flat.values_of(chain);
   Minimum minimum{.energy = flat.objective(start)};
@@ -131,9 +131,9 @@ Minimum minimise_ipopt(Chain& chain, const QuadratureRule& rule, const MinimiseO
   return minimum;
 }
 
-template Minimum minimise_ipopt<Continuity::c1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::g1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ipopt<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ipopt<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ipopt<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
+template Minimum minimise_ipopt<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

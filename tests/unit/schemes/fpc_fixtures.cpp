@@ -58,8 +58,8 @@ TEST_CASE("fpc: a segment passes its point with the feature asked for, and no ot
     // The curvature's numerator at both ends is the promised multiple of the area.
     const Jet start = segment.jet(0.0, 2), end = segment.jet(1.0, 2);
     const double square = extent * extent * 1e-12;
-    CHECK(std::abs(0.5 * cross(start.d[1], start.d[2]) - cubic.start_bend * cross(x, y)) < square);
-    CHECK(std::abs(0.5 * cross(end.d[1], end.d[2]) - cubic.end_bend * cross(x, y)) < square);
+    CHECK(std::abs(0.5 * cross(start.d[1], start.d[2]) - cubic.start_numerator * cross(x, y)) < square);
+    CHECK(std::abs(0.5 * cross(end.d[1], end.d[2]) - cubic.end_numerator * cross(x, y)) < square);
 
     const SignChanges changes = inflections(segment);
     const std::vector<double> reversals = cusps(segment);
@@ -84,7 +84,7 @@ TEST_CASE("fpc: a segment passes its point with the feature asked for, and no ot
 }
 
 TEST_CASE("fpc: the closed curve of five regular points") {
-  const Chain chain = chain_of(five_points());
+  const CubicChain chain = chain_of(five_points());
   const std::array t{0.4340578300578996, 0.5, 0.5334828131703736, 0.5, 0.5327485830028734};
   for (std::size_t k = 0; k < 5; ++k) CHECK(chain.cubic[k].task.t == Approx(t[k]).epsilon(1e-15));
   const System system(chain);
@@ -133,7 +133,7 @@ TEST_CASE("fpc: an inflection with t = 0.618 and h = 1/2 is singular, and so are
               .ids = {}};
   input.options.resize(3);
   for (PointOptions& options : input.options) options.type = PointType::inflection;
-  const Chain as_given = chain_of(input, {.h_sign_by_rule = false}), by_rule = chain_of(input);
+  const CubicChain as_given = chain_of(input, {.h_sign_by_rule = false}), by_rule = chain_of(input);
   const std::array t{0.52031126, 0.52725484, 0.45253899};
   for (std::size_t k = 0; k < 3; ++k) CHECK(as_given.cubic[k].task.t == Approx(t[k]).epsilon(1e-7));
   const std::array log_ratio{std::log(3.3569898250224233), std::log(1.25357562), std::log(9.15856176)};

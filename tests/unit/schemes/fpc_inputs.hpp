@@ -24,7 +24,7 @@ inline Input with_random_types(Input input, std::uint64_t seed) {
   return input;
 }
 
-inline fpc::Chain chain_of(const Input& input, const fpc::Defaults& defaults = {}) {
+inline fpc::CubicChain chain_of(const Input& input, const fpc::Defaults& defaults = {}) {
   const fpc::Tasks read = fpc::read_tasks(input, defaults);
   if (!read.problem.empty()) throw std::runtime_error(read.problem);
   return fpc::make_chain(input.points, read.tasks, input.closed);

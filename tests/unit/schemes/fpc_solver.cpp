@@ -15,7 +15,7 @@ using namespace kappabench::test;
 namespace {
 
 /// A state anywhere, not a solution.
-State some_state(const Chain& chain, std::uint64_t seed) {
+State some_state(const CubicChain& chain, std::uint64_t seed) {
   Random random(seed);
   State state;
   REQUIRE(System(chain).solve_joints(std::vector<double>(chain.joints(), 0.3), state));
@@ -26,14 +26,14 @@ State some_state(const Chain& chain, std::uint64_t seed) {
   return state;
 }
 
-/// What the equations say at each segment: both parts of the gap, and the bend.
+/// What the equations say at each segment: both parts of the gap, and the weight gap.
 std::vector<Right3> equations(const System& system, const State& state, double softness) {
   Values values;
   system.evaluate(state, softness, values);
   std::vector<Right3> all(values.segment.size(), Right3::Zero());
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k < system.chain().joints()) all[k].head<2>() = values.segment[k].gap;
-    all[k](2) = values.segment[k].bend;
+    all[k](2) = values.segment[k].weight_gap;
   }
   return all;
 }
@@ -74,7 +74,7 @@ TEST_CASE("fpc: Newton's matrix holds the derivatives of the equations") {
         Input input = random_input(Family::star, seed);
         input.closed = closed;
         input = with_random_types(input, seed);
-        const Chain chain = chain_of(input);
+        const CubicChain chain = chain_of(input);
         const System system(chain);
         const State state = some_state(chain, seed);
         const std::size_t m = chain.segments();
@@ -85,14 +85,14 @@ TEST_CASE("fpc: Newton's matrix holds the derivatives of the equations") {
         system.linearise(values, softness, matrix, right);
 
         Random random(seed);
-        std::vector<Right3> way(m);  // in the matrix's units
+        std::vector<Right3> way(m);  // joints over their strides
         for (Right3& w : way) w = 1e-5 * Right3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
         if (!closed) way.back().head<2>().setZero();
         State there = state, back = state;
         for (std::size_t k = 0; k < m; ++k) {
           if (k < chain.joints()) {
-            there.shift(chain, k, values.segment[k].unit * way[k].head<2>());
-            back.shift(chain, k, -values.segment[k].unit * way[k].head<2>());
+            there.shift(chain, k, values.segment[k].stride * way[k].head<2>());
+            back.shift(chain, k, -values.segment[k].stride * way[k].head<2>());
           }
           there.log_weight[k] += way[k](2);
           back.log_weight[k] -= way[k](2);
@@ -103,7 +103,7 @@ TEST_CASE("fpc: Newton's matrix holds the derivatives of the equations") {
           Right3 predicted = matrix.diagonal[k] * way[k];
           if (k > 0 || closed) predicted += matrix.lower[k] * way[chain.before(k)];
           if (k + 1 < m || closed) predicted += matrix.upper[k] * way[chain.next(k)];
-          const double row = k < chain.joints() ? chain.size[k] / values.segment[k].unit : 1.0;
+          const double row = k < chain.joints() ? chain.size[k] / values.segment[k].stride : 1.0;
           Right3 seen = 0.5 * (ahead[k] - behind[k]);
           seen.head<2>() *= row;
           const double size = 1e-5 * (matrix.diagonal[k].norm() + matrix.lower[k].norm() + matrix.upper[k].norm());
@@ -113,7 +113,7 @@ TEST_CASE("fpc: Newton's matrix holds the derivatives of the equations") {
 }
 
 TEST_CASE("fpc: the derivative by softness") {
-  const Chain chain = chain_of(with_random_types(random_input(Family::star, 3), 3));
+  const CubicChain chain = chain_of(with_random_types(random_input(Family::star, 3), 3));
   const System system(chain);
   const State state = some_state(chain, 3);
   const double softness = 0.07, step = 1e-5;
@@ -289,7 +289,7 @@ TEST_CASE("fpc: a long chain is the same in windows and as a whole") {
     const double angle = 2.0 * std::numbers::pi * (i + random.uniform(-0.3, 0.3)) / n;
     input.points.emplace_back(Vec2(std::cos(angle), std::sin(angle)) * (50.0 + random.uniform(-0.8, 0.8)));
   }
-  const Chain chain = chain_of(with_random_types(input, 12));
+  const CubicChain chain = chain_of(with_random_types(input, 12));
   const Solution windows = solve_in_windows(chain), whole = solve_chain(chain, nullptr, false);
   REQUIRE(windows.converged);
   REQUIRE(whole.converged);

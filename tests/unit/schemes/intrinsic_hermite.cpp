@@ -195,7 +195,7 @@ TEST_CASE("intrinsic: G1 data of any angles are solved, and p keeps them monoton
   for (const Family& f :
        {Family{1, 2, 0}, {2, 3, 0}, {3, 4, 0}, {3, 6, 0}, {3, 6, -1}, {3, 6, 0.5}, {3, 6, 1}, {3, 8, 0}}) {
     const FixedKnots knots = g1_knots(f.degree, f.controls, f.p);
-    int missed = 0, bent = 0;
+    int missed = 0, not_monotone = 0;
     double worst = 0.0;
     for (int i = 0; i < count; ++i) {
       // Alternately the region of Yoshida 2022, Eq. (12), and angles to .95 pi on either side.
@@ -211,11 +211,11 @@ TEST_CASE("intrinsic: G1 data of any angles are solved, and p keeps them monoton
       const StandardCurve curve = knots.curve(solved);
       worst = std::max(worst, gap(curve, data));
       const auto& k = curve.controls;
-      bent += std::ranges::is_sorted(k) || std::ranges::is_sorted(k, std::greater<>()) ? 0 : 1;
+      not_monotone += std::ranges::is_sorted(k) || std::ranges::is_sorted(k, std::greater<>()) ? 0 : 1;
     }
     INFO("degree " << f.degree << ", " << f.controls << " controls, p = " << f.p);
     CHECK(missed == 0);
-    CHECK(bent == 0);
+    CHECK(not_monotone == 0);
     CHECK(worst <= 1e-13);
   }
 }
@@ -247,7 +247,7 @@ TEST_CASE("intrinsic: viable G2 data of nine classes have a monotone solution") 
     }
   };
   for (int kind = 0; kind < 9; ++kind) {
-    int missed = 0, bent = 0;
+    int missed = 0, not_monotone = 0;
     for (int i = 0; i < count; ++i) {
       const auto [start, end] = angles(kind);
       // xi - 1 from 1e-6 to 1e3, X / Y from 0.02 to 50.
@@ -265,13 +265,13 @@ TEST_CASE("intrinsic: viable G2 data of nine classes have a monotone solution") 
         continue;
       }
       const Trend trend = verdict_of(*fit.curve).trend;
-      bent += trend == (end > start ? Trend::rising : Trend::falling) ? 0 : 1;
+      not_monotone += trend == (end > start ? Trend::rising : Trend::falling) ? 0 : 1;
       CHECK(fit.curve->controls.front() == *data.start_curvature);
       CHECK(fit.curve->controls.back() == *data.end_curvature);
     }
     INFO("class " << kind);
     CHECK(missed == 0);
-    CHECK(bent == 0);
+    CHECK(not_monotone == 0);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "schemes/curve/exact_curvature.hpp"
-#include "schemes/intrinsic/chain.hpp"
+#include "schemes/intrinsic/hermite_chain.hpp"
 #include "tests/catch.hpp"
 #include "tests/schemes.hpp"
 
@@ -49,7 +49,7 @@ std::size_t extrema_inside(const Curve& curve) {
 }  // namespace
 
 TEST_CASE("intrinsic scheme: curvature is monotone between almost all points of random walks") {
-  std::size_t spans = 0, bent = 0;
+  std::size_t spans = 0, not_monotone = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Fit fit = scheme("intrinsic")->fit(walk(seed, 20));
     INFO("seed " << seed);
@@ -58,9 +58,9 @@ TEST_CASE("intrinsic scheme: curvature is monotone between almost all points of 
     CHECK(extrema_inside(*fit.curve) >= with_extrema);
     CHECK((extrema_inside(*fit.curve) == 0) == (with_extrema == 0));
     spans += 19;
-    bent += with_extrema;
+    not_monotone += with_extrema;
   }
-  CHECK(bent <= spans / 20);
+  CHECK(not_monotone <= spans / 20);
 }
 
 TEST_CASE("intrinsic scheme: relaxation of headings is what makes spans monotone") {
@@ -120,9 +120,9 @@ TEST_CASE("intrinsic scheme: two points are the Hermite problem") {
   CHECK(completed.report.counters.at("spans_not_monotone") == 0);
   CHECK(curvature(completed.curve->segment(0).jet(0.0, 2)) == Approx(0.3).epsilon(1e-13));
   // On fixed knots there is a curve, with an extremum.
-  const Fit bent = scheme("intrinsic:auto=false")->fit(input);
-  REQUIRE(bent.report.outcome == Outcome::converged);
-  CHECK(extrema_inside(*bent.curve) > 0);
+  const Fit on_fixed_knots = scheme("intrinsic:auto=false")->fit(input);
+  REQUIRE(on_fixed_knots.report.outcome == Outcome::converged);
+  CHECK(extrema_inside(*on_fixed_knots.curve) > 0);
 }
 
 TEST_CASE("intrinsic scheme: extreme data end in time, and not as converged") {

@@ -74,7 +74,7 @@ Derivatives trigonometric(double a, const DualVec& c0, const DualVec& c1, const 
 /// segment, in this order) and by the parameter t, which comes last.
 class Reference {
  public:
-  Reference(const Chain& chain, const State& state)
+  Reference(const ChordChain& chain, const State& state)
       : chain_(chain), m_(chain.segments()), size_(static_cast<Eigen::Index>(3 * m_ + 1)) {
     for (std::size_t i = 0; i <= m_ + 1; ++i)
       e_.push_back({unknown(state.e[i].x(), i, 0), unknown(state.e[i].y(), i, 1)});
@@ -112,7 +112,7 @@ class Reference {
   }
 
   /// log of kappa_i(1) / kappa_{i+1}(0) from Eq. (8).
-  Dual bend(std::size_t i) const {
+  Dual jump(std::size_t i) const {
     const std::size_t j = chain_.next(i);
     const auto g = [&](std::size_t k) { return std::log((1.0 - chain_.a[k]) / (chain_.a[k] * chain_.a[k])); };
     return log_area(i) + log(1.0 - lambda_[i - 1]) + g(i) - 2.0 * log(lambda_[i]) - log_area(j) - log(lambda_[j]) -
@@ -145,7 +145,7 @@ class Reference {
     return value;
   }
 
-  const Chain& chain_;
+  const ChordChain& chain_;
   std::size_t m_;
   Eigen::Index size_;
   std::vector<DualVec> e_;
@@ -176,7 +176,7 @@ void compare(BasisKind basis, bool closed, Form form, std::uint64_t seed) {
     points.emplace_back(3 * std::cos(i) + x, 3 * std::sin(i) + y);
     a.push_back(basis == BasisKind::cubic ? random.uniform(0.68, 0.95) : random.uniform(0.52, 0.95));
   }
-  const Chain chain = make_chain(points, a, closed, basis);
+  const ChordChain chain = make_chain(points, a, closed, basis);
   State state = initial_state(chain);
   const std::size_t m = chain.segments();
   for (std::size_t i = 1; i <= m; ++i) {
@@ -213,9 +213,9 @@ void compare(BasisKind basis, bool closed, Form form, std::uint64_t seed) {
     }
     agree(of_s.row(static_cast<Eigen::Index>(i) - 1), reference.log_area(i), 1.0);
     if (!closed && i == m) continue;
-    const Dual bend = reference.bend(i);
-    CHECK(values.bend[i] == Approx(bend.v).epsilon(1e-12).margin(1e-13));
-    agree(dense_row(jacobian, i - 1, 2, false) + of_s.transpose() * dense_row(jacobian, i - 1, 2, true), bend, 1.0);
+    const Dual jump = reference.jump(i);
+    CHECK(values.jump[i] == Approx(jump.v).epsilon(1e-12).margin(1e-13));
+    agree(dense_row(jacobian, i - 1, 2, false) + of_s.transpose() * dense_row(jacobian, i - 1, 2, true), jump, 1.0);
   }
 }
 

@@ -81,14 +81,14 @@ TEST_CASE("pkappa: the gradient of a segment's energy is that of automatic diffe
 namespace {
 
 template <Continuity K>
-Chain window_of_three() {
-  Chain chain;
+JointChain window_of_three() {
+  JointChain chain;
   chain.points = {{1, 0.3}, {1.8, 1.1}, {3.1, 0.9}};
   chain.joints.resize(4);
   chain.freedom = {Freedom::none, Freedom::all, Freedom::all, Freedom::end_point};
   chain.joints[0] = {.position = {0.4, -0.1}, .edge = {0.2, 0.05}, .second = {0.01, 0.03}};
   chain.joints[3].position = {4.0, 0.1};
-  Chain start = *fair_start<K>(chain);
+  JointChain start = *fair_start<K>(chain);
   if (Layout<K>::geometric)
     for (std::size_t k = 1; k < 3; ++k) start.joints[k].ratio = 0.2 * static_cast<double>(k);
   if (K == Continuity::g2) start.joints[1].shift = -0.3;
@@ -113,7 +113,7 @@ auto difference(F f, Eigen::VectorXd x, Eigen::Index i) {
 template <Continuity K>
 void check_window() {
   INFO(name(K));
-  const Chain chain = window_of_three<K>();
+  const JointChain chain = window_of_three<K>();
   FlatProblem<K> flat(chain, gauss_rule(), weights);
   const Eigen::VectorXd x = flat.values_of(chain);
   CHECK(flat.miss(x).norm() < 1e-13);

@@ -1,4 +1,4 @@
-#include "schemes/pkappa/chain.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 
 #include <array>
 
@@ -7,7 +7,7 @@
 
 namespace kappabench::pkappa {
 
-void set_boxes(Chain& chain, std::span<const double> initial_t) {
+void set_boxes(JointChain& chain, std::span<const double> initial_t) {
   chain.t.assign(initial_t.begin(), initial_t.end());
   chain.t_least.clear();
   chain.t_most.clear();
@@ -18,7 +18,7 @@ void set_boxes(Chain& chain, std::span<const double> initial_t) {
 }
 
 template <Continuity K>
-ControlPolygon<Layout<K>::degree> polygon(const Chain& chain, std::size_t segment) {
+ControlPolygon<Layout<K>::degree> polygon(const JointChain& chain, std::size_t segment) {
   using L = Layout<K>;
   ControlPolygon<L::degree> control;
   control.template leftCols<L::side>() = side_points<K>(chain.joints[segment], Side::right);
@@ -44,7 +44,7 @@ void keep_free(Eigen::Matrix<double, Layout<K>::vectors, 1>& coefficients, Freed
 }
 
 template <Continuity K>
-PointCoefficients<K> point_coefficients(const Chain& chain, std::size_t i) {
+PointCoefficients<K> point_coefficients(const JointChain& chain, std::size_t i) {
   using L = Layout<K>;
   const auto basis = bernstein<L::degree>(chain.t[i]);
   const std::size_t next = chain.end_joint(i);
@@ -67,7 +67,7 @@ void move(Joint& joint, const Eigen::Matrix<double, Layout<K>::vectors, 1>& coef
 }  // namespace
 
 template <Continuity K>
-bool restore_interpolation(Chain& chain) {
+bool restore_interpolation(JointChain& chain) {
   using L = Layout<K>;
   const std::size_t n = chain.size();
   std::vector<PointCoefficients<K>> a;
@@ -97,9 +97,9 @@ bool restore_interpolation(Chain& chain) {
 }
 
 template <Continuity K>
-Chain chain_of(std::span<const ControlPolygon<Layout<K>::degree>> polygons, std::span<const double> t,
-               std::span<const Vec2> points, Freedom first, Freedom last) {
-  Chain chain;
+JointChain chain_of(std::span<const ControlPolygon<Layout<K>::degree>> polygons, std::span<const double> t,
+                    std::span<const Vec2> points, Freedom first, Freedom last) {
+  JointChain chain;
   chain.points.assign(points.begin(), points.end());
   set_boxes(chain, t);
   chain.joints.push_back(joint_at_start<K>(polygons.front()));
@@ -115,21 +115,21 @@ Chain chain_of(std::span<const ControlPolygon<Layout<K>::degree>> polygons, std:
   return chain;
 }
 
-template ControlPolygon<4> polygon<Continuity::c1>(const Chain&, std::size_t);
-template ControlPolygon<4> polygon<Continuity::g1>(const Chain&, std::size_t);
-template ControlPolygon<5> polygon<Continuity::c2>(const Chain&, std::size_t);
-template ControlPolygon<5> polygon<Continuity::g2>(const Chain&, std::size_t);
-template bool restore_interpolation<Continuity::c1>(Chain&);
-template bool restore_interpolation<Continuity::g1>(Chain&);
-template bool restore_interpolation<Continuity::c2>(Chain&);
-template bool restore_interpolation<Continuity::g2>(Chain&);
-template Chain chain_of<Continuity::c1>(std::span<const ControlPolygon<4>>, std::span<const double>,
-                                        std::span<const Vec2>, Freedom, Freedom);
-template Chain chain_of<Continuity::g1>(std::span<const ControlPolygon<4>>, std::span<const double>,
-                                        std::span<const Vec2>, Freedom, Freedom);
-template Chain chain_of<Continuity::c2>(std::span<const ControlPolygon<5>>, std::span<const double>,
-                                        std::span<const Vec2>, Freedom, Freedom);
-template Chain chain_of<Continuity::g2>(std::span<const ControlPolygon<5>>, std::span<const double>,
-                                        std::span<const Vec2>, Freedom, Freedom);
+template ControlPolygon<4> polygon<Continuity::c1>(const JointChain&, std::size_t);
+template ControlPolygon<4> polygon<Continuity::g1>(const JointChain&, std::size_t);
+template ControlPolygon<5> polygon<Continuity::c2>(const JointChain&, std::size_t);
+template ControlPolygon<5> polygon<Continuity::g2>(const JointChain&, std::size_t);
+template bool restore_interpolation<Continuity::c1>(JointChain&);
+template bool restore_interpolation<Continuity::g1>(JointChain&);
+template bool restore_interpolation<Continuity::c2>(JointChain&);
+template bool restore_interpolation<Continuity::g2>(JointChain&);
+template JointChain chain_of<Continuity::c1>(std::span<const ControlPolygon<4>>, std::span<const double>,
+                                             std::span<const Vec2>, Freedom, Freedom);
+template JointChain chain_of<Continuity::g1>(std::span<const ControlPolygon<4>>, std::span<const double>,
+                                             std::span<const Vec2>, Freedom, Freedom);
+template JointChain chain_of<Continuity::c2>(std::span<const ControlPolygon<5>>, std::span<const double>,
+                                             std::span<const Vec2>, Freedom, Freedom);
+template JointChain chain_of<Continuity::g2>(std::span<const ControlPolygon<5>>, std::span<const double>,
+                                             std::span<const Vec2>, Freedom, Freedom);
 
 }  // namespace kappabench::pkappa

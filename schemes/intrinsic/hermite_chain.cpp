@@ -1,4 +1,4 @@
-#include "schemes/intrinsic/chain.hpp"
+#include "schemes/intrinsic/hermite_chain.hpp"
 
 #include <algorithm>
 #include <cmath>

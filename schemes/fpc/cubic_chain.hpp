@@ -14,7 +14,7 @@ namespace kappabench::fpc {
 ///
 /// All lengths are in units of a power of two near the mean chord, so that areas and their squares stay in the range of
 /// numbers whatever the drawing's unit is; scaling by it is exact.
-struct Chain {
+struct CubicChain {
   std::vector<LocalCubic> cubic;  ///< m
   std::vector<Vec2> chord;        ///< m: point k + 1 minus point k (closed: cyclic; open: the last one is not used)
   std::vector<double> size;       ///< m: length to which those of segment k are relative
@@ -31,7 +31,7 @@ struct Chain {
 
 /// A chain through `points`, one task for each point that has a segment: all of a closed curve, all but the first and
 /// the last, which are the fixed ends, of an open one.
-[[nodiscard]] Chain make_chain(std::span<const Vec2> points, std::span<const PointTask> tasks, bool closed);
+[[nodiscard]] CubicChain make_chain(std::span<const Vec2> points, std::span<const PointTask> tasks, bool closed);
 
 /// The unknowns. A joint is kept twice, relative to the points on both sides: the two differ by the chord, but near a
 /// point that its segment has shrunk to, only the one relative to that point has digits left. A segment's weight is
@@ -43,7 +43,7 @@ struct State {
   std::vector<double> log_weight;  ///< m
 
   /// Moves joint k.
-  void shift(const Chain& chain, std::size_t k, const Vec2& by) {
+  void shift(const CubicChain& chain, std::size_t k, const Vec2& by) {
     y[k] += by;
     x[chain.next(k)] += by;
   }

@@ -1,12 +1,12 @@
-#include "schemes/kappa/chain.hpp"
+#include "schemes/kappa/chord_chain.hpp"
 
 #include <cmath>
 #include <limits>
 
 namespace kappabench::kappa {
 
-Chain make_chain(std::span<const Vec2> points, std::span<const double> a, bool closed, BasisKind basis) {
-  Chain chain{.basis = basis, .closed = closed, .chord = {}, .a = {}, .end = {}, .size = {}};
+ChordChain make_chain(std::span<const Vec2> points, std::span<const double> a, bool closed, BasisKind basis) {
+  ChordChain chain{.basis = basis, .closed = closed, .chord = {}, .a = {}, .end = {}, .size = {}};
   const std::size_t n = points.size();
   if (closed) {
     chain.chord.push_back(points[0] - points[n - 1]);
@@ -26,7 +26,7 @@ Chain make_chain(std::span<const Vec2> points, std::span<const double> a, bool c
   return chain;
 }
 
-void State::close(const Chain& chain) {
+void State::close(const ChordChain& chain) {
   if (!chain.closed) return;
   const std::size_t m = chain.segments();
   e[0] = e[m];
@@ -34,7 +34,7 @@ void State::close(const Chain& chain) {
   x[0] = x[m];
 }
 
-State initial_state(const Chain& chain) {
+State initial_state(const ChordChain& chain) {
   const std::size_t m = chain.segments();
   State state{std::vector<Vec2>(m + 2, Vec2::Zero()), std::vector<double>(m + 1, 0.0)};
   if (!chain.closed) {

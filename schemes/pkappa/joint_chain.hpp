@@ -16,7 +16,7 @@ enum class Freedom {
 
 /// Consecutive segments that are solved for together: the whole curve or a window of it. Segment i goes from joint i
 /// to joint i + 1, with wrap-around if cyclic, and passes `points[i]` at `t[i]`.
-struct Chain {
+struct JointChain {
   std::vector<Joint> joints;  ///< one more than segments; as many if cyclic
   std::vector<Freedom> freedom;
   std::vector<Vec2> middles;  ///< the middle control points of quartic segments
@@ -32,19 +32,19 @@ struct Chain {
 };
 
 /// Sets the boxes of t from initial values.
-void set_boxes(Chain& chain, std::span<const double> initial_t);
+void set_boxes(JointChain& chain, std::span<const double> initial_t);
 
 template <Continuity K>
-[[nodiscard]] ControlPolygon<Layout<K>::degree> polygon(const Chain& chain, std::size_t segment);
+[[nodiscard]] ControlPolygon<Layout<K>::degree> polygon(const JointChain& chain, std::size_t segment);
 
 /// Moves joints and middle points as little as possible (in the least-squares sense) so that every segment passes its
 /// point at its t. False if that is impossible. Linear in the number of segments.
 template <Continuity K>
-[[nodiscard]] bool restore_interpolation(Chain& chain);
+[[nodiscard]] bool restore_interpolation(JointChain& chain);
 
 /// The chain through given control polygons: joints between them, fixed or end points at the two ends.
 template <Continuity K>
-[[nodiscard]] Chain chain_of(std::span<const ControlPolygon<Layout<K>::degree>> polygons, std::span<const double> t,
-                             std::span<const Vec2> points, Freedom first, Freedom last);
+[[nodiscard]] JointChain chain_of(std::span<const ControlPolygon<Layout<K>::degree>> polygons,
+                                  std::span<const double> t, std::span<const Vec2> points, Freedom first, Freedom last);
 
 }  // namespace kappabench::pkappa

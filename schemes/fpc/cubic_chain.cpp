@@ -1,4 +1,4 @@
-#include "schemes/fpc/chain.hpp"
+#include "schemes/fpc/cubic_chain.hpp"
 
 #include <cmath>
 
@@ -15,9 +15,9 @@ double unit_of(std::span<const Vec2> points) {
 
 }  // namespace
 
-Chain make_chain(std::span<const Vec2> points, std::span<const PointTask> tasks, bool closed) {
+CubicChain make_chain(std::span<const Vec2> points, std::span<const PointTask> tasks, bool closed) {
   const std::size_t m = tasks.size(), n = points.size(), first = closed ? 0 : 1;
-  Chain chain{.cubic = {}, .chord = {}, .size = {}, .closed = closed, .unit = unit_of(points)};
+  CubicChain chain{.cubic = {}, .chord = {}, .size = {}, .closed = closed, .unit = unit_of(points)};
   chain.cubic.reserve(m);
   chain.chord.reserve(m);
   chain.size.reserve(m);

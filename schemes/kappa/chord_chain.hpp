@@ -16,7 +16,7 @@ enum class BasisKind { cubic, trigonometric };
 ///
 /// An open curve fixes the end points; a window of a longer chain fixes its neighbours' control points and the
 /// outer joints' ratios. Both are the same problem.
-struct Chain {
+struct ChordChain {
   BasisKind basis = BasisKind::cubic;
   bool closed = false;
   std::vector<Vec2> chord;   ///< m + 1: chord[k] = p_{k+1} - p_k
@@ -31,7 +31,8 @@ struct Chain {
 
 /// A chain through `points` (all of a closed curve; of an open one the first and last are its fixed ends), one `a`
 /// for each point.
-[[nodiscard]] Chain make_chain(std::span<const Vec2> points, std::span<const double> a, bool closed, BasisKind basis);
+[[nodiscard]] ChordChain make_chain(std::span<const Vec2> points, std::span<const double> a, bool closed,
+                                    BasisKind basis);
 
 /// The unknowns. Kept relative to the input points and on logarithmic scales, because control points far from the
 /// origin and joints near a control point would lose the digits that curvature needs.
@@ -40,10 +41,10 @@ struct State {
   std::vector<double> x;  ///< m + 1: logit of the ratio lambda_k of joint k (Eq. (7)); -inf and +inf at open ends
 
   /// Copies the unknowns over the seam of a closed chain.
-  void close(const Chain& chain);
+  void close(const ChordChain& chain);
 };
 
 /// Control points at the input points, joints in the middle (Algorithm 1 of Miura 2022).
-[[nodiscard]] State initial_state(const Chain& chain);
+[[nodiscard]] State initial_state(const ChordChain& chain);
 
 }  // namespace kappabench::kappa
