@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+#include <vector>
 
 #include "schemes/numerics/bernstein.hpp"
+#include "schemes/pkappa/system.hpp"
 
 namespace kappabench::pkappa {
 namespace {
@@ -22,18 +23,49 @@ double& number(JointChain& chain, std::size_t block, int at) {
   return at == 2 * L::vectors ? joint.ratio : joint.shift;
 }
 
-}  // namespace
+template <Continuity K>
+class FlatWindow final : public FlatProblem {
+ public:
+  FlatWindow(const JointChain& chain, const QuadratureRule& rule, const Weights& weights)
+      : chain_(chain), system_(rule, weights), energy_(rule), weights_(weights) {
+    for (std::size_t k = 0; k < chain.joints.size(); ++k)
+      for (int v = 0; v < Layout<K>::multiplier_at; ++v)
+        if (is_free<K>(v, chain.freedom[k], k < chain.size())) places_.push_back({k, v});
+  }
+
+  [[nodiscard]] Eigen::Index unknowns() const override { return static_cast<Eigen::Index>(places_.size()); }
+  [[nodiscard]] Eigen::Index constraints() const override { return 2 * static_cast<Eigen::Index>(chain_.size()); }
+  [[nodiscard]] Eigen::VectorXd values_of(const JointChain& chain) const override;
+  [[nodiscard]] const JointChain& chain_at(const Eigen::VectorXd& x) override;
+  [[nodiscard]] Eigen::VectorXd lower() const override { return bounds(-1.0); }
+  [[nodiscard]] Eigen::VectorXd upper() const override { return bounds(1.0); }
+  [[nodiscard]] bool is_linear(Eigen::Index i) const override;
+  [[nodiscard]] double objective(const Eigen::VectorXd& x) override { return system_.value(chain_at(x)); }
+  [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd& x) override;
+  [[nodiscard]] Eigen::MatrixXd hessian(const Eigen::VectorXd& x) override;
+  void rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) override;
+  [[nodiscard]] Eigen::VectorXd miss(const Eigen::VectorXd& x) override;
+  [[nodiscard]] Eigen::MatrixXd miss_jacobian(const Eigen::VectorXd& x) override;
+  [[nodiscard]] double make_feasible(JointChain& chain) override;
+
+ private:
+  struct Place {
+    std::size_t block;
+    int at;
+  };
+  [[nodiscard]] Eigen::VectorXd bounds(double sign) const;
+  void linearise_at(const Eigen::VectorXd& x);
+
+  JointChain chain_;
+  ChainSystem<K> system_;
+  SegmentEnergy<Layout<K>::degree> energy_;
+  Weights weights_;
+  std::vector<Place> places_;
+  Eigen::VectorXd linearised_;  ///< where system_ stands
+};
 
 template <Continuity K>
-FlatProblem<K>::FlatProblem(const JointChain& chain, const QuadratureRule& rule, const Weights& weights)
-    : chain_(chain), system_(rule, weights), energy_(rule), weights_(weights) {
-  for (std::size_t k = 0; k < chain.joints.size(); ++k)
-    for (int v = 0; v < Layout<K>::multiplier_at; ++v)
-      if (is_free<K>(v, chain.freedom[k], k < chain.size())) places_.push_back({k, v});
-}
-
-template <Continuity K>
-Eigen::VectorXd FlatProblem<K>::values_of(const JointChain& chain) const {
+Eigen::VectorXd FlatWindow<K>::values_of(const JointChain& chain) const {
   JointChain copy = chain;
   Eigen::VectorXd x(unknowns());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -44,7 +76,7 @@ Eigen::VectorXd FlatProblem<K>::values_of(const JointChain& chain) const {
 }
 
 template <Continuity K>
-const JointChain& FlatProblem<K>::chain_at(const Eigen::VectorXd& x) {
+const JointChain& FlatWindow<K>::chain_at(const Eigen::VectorXd& x) {
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Place& p = places_[static_cast<std::size_t>(i)];
     number<K>(chain_, p.block, p.at) = x[i];
@@ -53,7 +85,7 @@ const JointChain& FlatProblem<K>::chain_at(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-Eigen::VectorXd FlatProblem<K>::bounds(double sign) const {
+Eigen::VectorXd FlatWindow<K>::bounds(double sign) const {
   Eigen::VectorXd b = Eigen::VectorXd::Constant(unknowns(), sign * std::numeric_limits<double>::infinity());
   for (Eigen::Index i = 0; i < b.size(); ++i) {
     const Place& p = places_[static_cast<std::size_t>(i)];
@@ -63,25 +95,20 @@ Eigen::VectorXd FlatProblem<K>::bounds(double sign) const {
 }
 
 template <Continuity K>
-bool FlatProblem<K>::is_linear(Eigen::Index i) const {
+bool FlatWindow<K>::is_linear(Eigen::Index i) const {
   const int at = places_[static_cast<std::size_t>(i)].at;
   return at < 2 * Layout<K>::vectors || (at >= Layout<K>::middle_at && at < Layout<K>::parameter_at);
 }
 
 template <Continuity K>
-void FlatProblem<K>::linearise_at(const Eigen::VectorXd& x) {
+void FlatWindow<K>::linearise_at(const Eigen::VectorXd& x) {
   if (linearised_.size() == x.size() && linearised_ == x) return;
   system_.linearise(chain_at(x), {});
   linearised_ = x;
 }
 
 template <Continuity K>
-double FlatProblem<K>::objective(const Eigen::VectorXd& x) {
-  return system_.value(chain_at(x));
-}
-
-template <Continuity K>
-Eigen::VectorXd FlatProblem<K>::gradient(const Eigen::VectorXd& x) {
+Eigen::VectorXd FlatWindow<K>::gradient(const Eigen::VectorXd& x) {
   linearise_at(x);
   Eigen::VectorXd g(unknowns());
   for (Eigen::Index i = 0; i < g.size(); ++i) {
@@ -92,7 +119,7 @@ Eigen::VectorXd FlatProblem<K>::gradient(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-Eigen::MatrixXd FlatProblem<K>::hessian(const Eigen::VectorXd& x) {
+Eigen::MatrixXd FlatWindow<K>::hessian(const Eigen::VectorXd& x) {
   linearise_at(x);
   Eigen::MatrixXd h(unknowns(), unknowns());
   for (Eigen::Index i = 0; i < h.rows(); ++i)
@@ -104,7 +131,7 @@ Eigen::MatrixXd FlatProblem<K>::hessian(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-void FlatProblem<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
+void FlatWindow<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) {
   using L = Layout<K>;
   constexpr int side = 2 * L::side;
   const JointChain& chain = chain_at(x);
@@ -138,7 +165,7 @@ void FlatProblem<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, 
 }
 
 template <Continuity K>
-Eigen::VectorXd FlatProblem<K>::miss(const Eigen::VectorXd& x) {
+Eigen::VectorXd FlatWindow<K>::miss(const Eigen::VectorXd& x) {
   const JointChain& chain = chain_at(x);
   Eigen::VectorXd c(constraints());
   for (std::size_t i = 0; i < chain.size(); ++i)
@@ -148,7 +175,7 @@ Eigen::VectorXd FlatProblem<K>::miss(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-Eigen::MatrixXd FlatProblem<K>::miss_jacobian(const Eigen::VectorXd& x) {
+Eigen::MatrixXd FlatWindow<K>::miss_jacobian(const Eigen::VectorXd& x) {
   linearise_at(x);
   Eigen::MatrixXd a(constraints(), unknowns());
   for (std::size_t i = 0; i < chain_.size(); ++i)
@@ -161,30 +188,25 @@ Eigen::MatrixXd FlatProblem<K>::miss_jacobian(const Eigen::VectorXd& x) {
 }
 
 template <Continuity K>
-void accept_if_better(JointChain found, const QuadratureRule& rule, const Weights& weights, JointChain& chain,
-                      Minimum& minimum) {
-  for (std::size_t i = 0; i < found.size(); ++i) found.t[i] = std::clamp(found.t[i], found.t_least[i], found.t_most[i]);
-  ChainSystem<K> system(rule, weights);
-  const double energy = restore_interpolation<K>(found) ? system.value(found) : minimum.energy;
-  if (energy < minimum.energy) {
-    chain = std::move(found);
-    minimum.energy = energy;
-  } else {
-    minimum.converged = false;
-  }
+double FlatWindow<K>::make_feasible(JointChain& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) chain.t[i] = std::clamp(chain.t[i], chain.t_least[i], chain.t_most[i]);
+  return restore_interpolation<K>(chain) ? system_.value(chain) : std::numeric_limits<double>::infinity();
 }
 
-template class FlatProblem<Continuity::c1>;
-template class FlatProblem<Continuity::g1>;
-template class FlatProblem<Continuity::c2>;
-template class FlatProblem<Continuity::g2>;
+}  // namespace
 
-template void accept_if_better<Continuity::c1>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
-                                               Minimum&);
-template void accept_if_better<Continuity::g1>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
-                                               Minimum&);
-template void accept_if_better<Continuity::c2>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
-                                               Minimum&);
-template void accept_if_better<Continuity::g2>(JointChain, const QuadratureRule&, const Weights&, JointChain&,
-                                               Minimum&);
+template <Continuity K>
+std::unique_ptr<FlatProblem> flat_problem(const JointChain& chain, const QuadratureRule& rule, const Weights& weights) {
+  return std::make_unique<FlatWindow<K>>(chain, rule, weights);
+}
+
+template std::unique_ptr<FlatProblem> flat_problem<Continuity::c1>(const JointChain&, const QuadratureRule&,
+                                                                   const Weights&);
+template std::unique_ptr<FlatProblem> flat_problem<Continuity::g1>(const JointChain&, const QuadratureRule&,
+                                                                   const Weights&);
+template std::unique_ptr<FlatProblem> flat_problem<Continuity::c2>(const JointChain&, const QuadratureRule&,
+                                                                   const Weights&);
+template std::unique_ptr<FlatProblem> flat_problem<Continuity::g2>(const JointChain&, const QuadratureRule&,
+                                                                   const Weights&);
+
 }  // namespace kappabench::pkappa

@@ -1,61 +1,49 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <memory>
 
-#include "schemes/pkappa/solver.hpp"
-#include "schemes/pkappa/system.hpp"
+#include "schemes/pkappa/joint_chain.hpp"
 
 namespace kappabench::pkappa {
 
-/// A window as general optimisers want it: a vector of unknowns x with bounds, an objective, and equality constraints
-/// (each segment passes its point). The parabolas are eliminated.
-template <Continuity K>
+/// A window as general optimisers want it, whatever its continuity: a vector of unknowns x with bounds, an objective,
+/// and equality constraints (each segment passes its point). The parabolas are eliminated. Keeps a workspace.
 class FlatProblem {
  public:
-  FlatProblem(const JointChain& chain, const QuadratureRule& rule, const Weights& weights);
+  FlatProblem() = default;
+  FlatProblem(const FlatProblem&) = delete;
+  FlatProblem& operator=(const FlatProblem&) = delete;
+  virtual ~FlatProblem() = default;
 
-  [[nodiscard]] Eigen::Index unknowns() const { return static_cast<Eigen::Index>(places_.size()); }
-  [[nodiscard]] Eigen::Index constraints() const { return 2 * static_cast<Eigen::Index>(chain_.size()); }
-  [[nodiscard]] Eigen::VectorXd values_of(const JointChain& chain) const;
-  [[nodiscard]] const JointChain& chain_at(const Eigen::VectorXd& x);
+  [[nodiscard]] virtual Eigen::Index unknowns() const = 0;
+  [[nodiscard]] virtual Eigen::Index constraints() const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd values_of(const JointChain& chain) const = 0;
+  [[nodiscard]] virtual const JointChain& chain_at(const Eigen::VectorXd& x) = 0;
 
   /// Infinite where t has no bounds.
-  [[nodiscard]] Eigen::VectorXd lower() const { return bounds(-1.0); }
-  [[nodiscard]] Eigen::VectorXd upper() const { return bounds(1.0); }
+  [[nodiscard]] virtual Eigen::VectorXd lower() const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd upper() const = 0;
 
   /// Whether unknown i enters the constraints linearly (coordinates of vectors do, t and the shape of a joint do not).
-  [[nodiscard]] bool is_linear(Eigen::Index i) const;
+  [[nodiscard]] virtual bool is_linear(Eigen::Index i) const = 0;
 
-  [[nodiscard]] double objective(const Eigen::VectorXd& x);
-  [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd& x);
+  [[nodiscard]] virtual double objective(const Eigen::VectorXd& x) = 0;
+  [[nodiscard]] virtual Eigen::VectorXd gradient(const Eigen::VectorXd& x) = 0;
   /// Gauss-Newton, without the constraints' curvature.
-  [[nodiscard]] Eigen::MatrixXd hessian(const Eigen::VectorXd& x);
+  [[nodiscard]] virtual Eigen::MatrixXd hessian(const Eigen::VectorXd& x) = 0;
   /// The residuals whose squares make the objective, and their derivatives.
-  void rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian);
-  [[nodiscard]] Eigen::VectorXd miss(const Eigen::VectorXd& x);
-  [[nodiscard]] Eigen::MatrixXd miss_jacobian(const Eigen::VectorXd& x);
+  virtual void rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Eigen::MatrixXd& jacobian) = 0;
+  /// By how much each segment misses its point.
+  [[nodiscard]] virtual Eigen::VectorXd miss(const Eigen::VectorXd& x) = 0;
+  [[nodiscard]] virtual Eigen::MatrixXd miss_jacobian(const Eigen::VectorXd& x) = 0;
 
- private:
-  struct Place {
-    std::size_t block;
-    int at;
-  };
-  [[nodiscard]] Eigen::VectorXd bounds(double sign) const;
-  void linearise_at(const Eigen::VectorXd& x);
-
-  JointChain chain_;
-  ChainSystem<K> system_;
-  SegmentEnergy<Layout<K>::degree> energy_;
-  Weights weights_;
-  std::vector<Place> places_;
-  Eigen::VectorXd linearised_;  ///< where system_ stands
+  /// Puts t into its box and restores interpolation; the energy then, which is infinite where that cannot be done.
+  [[nodiscard]] virtual double make_feasible(JointChain& chain) = 0;
 };
 
-/// Ends a general optimiser's run: `found` with its interpolation restored becomes `chain` if its energy is less than
-/// `minimum.energy`, which it then becomes; else the run counts as not converged.
 template <Continuity K>
-void accept_if_better(JointChain found, const QuadratureRule& rule, const Weights& weights, JointChain& chain,
-                      Minimum& minimum);
+[[nodiscard]] std::unique_ptr<FlatProblem> flat_problem(const JointChain& chain, const QuadratureRule& rule,
+                                                        const Weights& weights);
 
 }  // namespace kappabench::pkappa

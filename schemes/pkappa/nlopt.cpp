@@ -1,17 +1,14 @@
 #include <nlopt.hpp>
 
-#include <cmath>
 #include <vector>
 
-#include "schemes/pkappa/flat_problem.hpp"
 #include "schemes/pkappa/solver.hpp"
 
 namespace kappabench::pkappa {
 namespace {
 
-template <Continuity K>
 struct Problem {
-  FlatProblem<K> flat;
+  FlatProblem& flat;
   int evaluations = 0;
 
   [[nodiscard]] static Eigen::VectorXd vector(const double* x, unsigned n) {
@@ -38,41 +35,28 @@ struct Problem {
 }  // namespace
 
 /// SLSQP (Kraft 1988) of NLopt on the constrained problem.
-template <Continuity K>
-Minimum minimise_nlopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
-  Problem<K> problem{FlatProblem<K>(chain, rule, options.weights)};
-  const Eigen::VectorXd start = problem.flat.values_of(chain), lower = problem.flat.lower(),
-                        upper = problem.flat.upper();
-  Minimum minimum{.energy = problem.flat.objective(start)};
-  if (options.max_iterations == 0 || !std::isfinite(minimum.energy)) return minimum;
-
+LastIterate run_nlopt(FlatProblem& flat, const Eigen::VectorXd& start, const MinimiseOptions& options) {
+  Problem problem{flat};
   nlopt::opt slsqp(nlopt::LD_SLSQP, static_cast<unsigned>(start.size()));
   const auto list = [](const Eigen::VectorXd& v) { return std::vector<double>(v.begin(), v.end()); };
-  slsqp.set_lower_bounds(list(lower));
-  slsqp.set_upper_bounds(list(upper));
-  slsqp.set_min_objective(Problem<K>::objective, &problem);
+  slsqp.set_lower_bounds(list(flat.lower()));
+  slsqp.set_upper_bounds(list(flat.upper()));
+  slsqp.set_min_objective(Problem::objective, &problem);
   constexpr double feasible = 1e-10;
-  slsqp.add_equality_mconstraint(Problem<K>::constraints, &problem,
-                                 std::vector<double>(static_cast<std::size_t>(problem.flat.constraints()), feasible));
+  slsqp.add_equality_mconstraint(Problem::constraints, &problem,
+                                 std::vector<double>(static_cast<std::size_t>(flat.constraints()), feasible));
   slsqp.set_ftol_rel(options.tolerance);
   slsqp.set_maxeval(options.max_iterations);
   std::vector<double> x = list(start);
-  double value = minimum.energy;
+  double value = 0.0;
+  bool converged = false;
   try {
     const nlopt::result result = slsqp.optimize(x, value);
-    minimum.converged = result == nlopt::SUCCESS || result == nlopt::FTOL_REACHED;
+    converged = result == nlopt::SUCCESS || result == nlopt::FTOL_REACHED;
   } catch (const std::exception&) {
     // NLopt throws where rounding stops it; x is then the last iterate.
   }
-  minimum.iterations = problem.evaluations;
-  const Eigen::VectorXd last = Eigen::Map<const Eigen::VectorXd>(x.data(), start.size());
-  accept_if_better<K>(problem.flat.chain_at(last), rule, options.weights, chain, minimum);
-  return minimum;
+  return {Eigen::Map<const Eigen::VectorXd>(x.data(), start.size()), problem.evaluations, converged};
 }
-
-template Minimum minimise_nlopt<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_nlopt<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

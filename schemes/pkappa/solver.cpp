@@ -1,7 +1,8 @@
 #include "schemes/pkappa/solver.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace kappabench::pkappa {
 
@@ -21,20 +22,50 @@ Solver solver_named(std::string_view name) {
   throw std::logic_error("solver_named: unknown solver");
 }
 
-template <Continuity K>
-Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+namespace {
+
+LastIterate run(Solver solver, FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options) {
   switch (solver) {
     case Solver::ceres:
-      return minimise_ceres<K>(chain, rule, options);
+      return run_ceres(problem, start, options);
     case Solver::nlopt:
-      return minimise_nlopt<K>(chain, rule, options);
+      return run_nlopt(problem, start, options);
 #ifdef KAPPABENCH_WITH_IPOPT
     case Solver::ipopt:
-      return minimise_ipopt<K>(chain, rule, options);
+      return run_ipopt(problem, start, options);
 #endif
     default:
-      return minimise_lm<K>(chain, rule, options);
+      throw std::logic_error("minimise: unknown solver");
   }
+}
+
+/// By a general optimiser: what it ends with, made feasible, becomes `chain` if its energy is less; else the run counts
+/// as not converged.
+Minimum minimise_flat(Solver solver, FlatProblem& problem, JointChain& chain, const MinimiseOptions& options) {
+  const Eigen::VectorXd start = problem.values_of(chain);
+  Minimum minimum{.energy = problem.objective(start)};
+  if (options.max_iterations == 0 || !std::isfinite(minimum.energy)) return minimum;
+  const LastIterate last = run(solver, problem, start, options);
+  minimum.iterations = last.iterations;
+  minimum.converged = last.converged;
+  if (last.x.size() == 0) return minimum;
+  JointChain found = problem.chain_at(last.x);
+  const double energy = problem.make_feasible(found);
+  if (energy < minimum.energy) {
+    chain = std::move(found);
+    minimum.energy = energy;
+  } else {
+    minimum.converged = false;
+  }
+  return minimum;
+}
+
+}  // namespace
+
+template <Continuity K>
+Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
+  if (solver == Solver::lm) return minimise_lm<K>(chain, rule, options);
+  return minimise_flat(solver, *flat_problem<K>(chain, rule, options.weights), chain, options);
 }
 
 template Minimum minimise<Continuity::c1>(Solver, JointChain&, const QuadratureRule&, const MinimiseOptions&);

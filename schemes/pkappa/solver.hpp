@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "schemes/pkappa/joint_chain.hpp"
+#include "schemes/pkappa/flat_problem.hpp"
 
 namespace kappabench::pkappa {
 
@@ -39,11 +39,15 @@ Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, c
 /// The same by each solver; the declarations are for solver.cpp.
 template <Continuity K>
 Minimum minimise_lm(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
-template <Continuity K>
-Minimum minimise_ceres(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
-template <Continuity K>
-Minimum minimise_nlopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
-template <Continuity K>
-Minimum minimise_ipopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
+
+/// Where a general optimiser ended.
+struct LastIterate {
+  Eigen::VectorXd x;  ///< empty if it has none
+  int iterations;
+  bool converged;
+};
+[[nodiscard]] LastIterate run_ceres(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
+[[nodiscard]] LastIterate run_nlopt(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
+[[nodiscard]] LastIterate run_ipopt(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
 
 }  // namespace kappabench::pkappa

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schemes/pkappa/flat_problem.hpp"
 #include "schemes/pkappa/solver.hpp"
 
 namespace kappabench::pkappa {
@@ -15,10 +14,9 @@ using Ipopt::Index;
 using Ipopt::Number;
 
 /// The window for Ipopt: dense Jacobian, Gauss-Newton Hessian of the objective.
-template <Continuity K>
 class Problem final : public Ipopt::TNLP {
  public:
-  Problem(const FlatProblem<K>& flat, const Eigen::VectorXd& start) : flat_(flat), start_(start), last_(start) {}
+  Problem(FlatProblem& flat, const Eigen::VectorXd& start) : flat_(flat), start_(start), last_(start) {}
 
   [[nodiscard]] const Eigen::VectorXd& last() const { return last_; }
 
@@ -102,21 +100,15 @@ class Problem final : public Ipopt::TNLP {
     return Eigen::Map<const Eigen::VectorXd>(x, n);
   }
 
-  FlatProblem<K> flat_;
+  FlatProblem& flat_;
   Eigen::VectorXd start_, last_;
 };
 
 }  // namespace
 
 /// The interior-point method (as in Wang 2024, Section 6.1) of Ipopt on the constrained problem.
-template <Continuity K>
-Minimum minimise_ipopt(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options) {
-  FlatProblem<K> flat(chain, rule, options.weights);
-  const Eigen::VectorXd start = flat.values_of(chain);
-  Minimum minimum{.energy = flat.objective(start)};
-  if (options.max_iterations == 0 || !std::isfinite(minimum.energy)) return minimum;
-
-  const Ipopt::SmartPtr<Problem<K>> problem = new Problem<K>(flat, start);  // counted by Ipopt
+LastIterate run_ipopt(FlatProblem& flat, const Eigen::VectorXd& start, const MinimiseOptions& options) {
+  const Ipopt::SmartPtr<Problem> problem = new Problem(flat, start);  // counted by Ipopt
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();
   application->Options()->SetIntegerValue("print_level", 0);
   application->Options()->SetStringValue("sb", "yes");
@@ -125,15 +117,8 @@ Minimum minimise_ipopt(JointChain& chain, const QuadratureRule& rule, const Mini
   application->Initialize();
   const Ipopt::ApplicationReturnStatus status =
       application->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(problem)));
-  if (IsValid(application->Statistics())) minimum.iterations = application->Statistics()->IterationCount();
-  minimum.converged = status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level;
-  accept_if_better<K>(flat.chain_at(problem->last()), rule, options.weights, chain, minimum);
-  return minimum;
+  const int iterations = IsValid(application->Statistics()) ? application->Statistics()->IterationCount() : 0;
+  return {problem->last(), iterations, status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level};
 }
-
-template Minimum minimise_ipopt<Continuity::c1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::g1>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::c2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
-template Minimum minimise_ipopt<Continuity::g2>(JointChain&, const QuadratureRule&, const MinimiseOptions&);
 
 }  // namespace kappabench::pkappa

@@ -114,22 +114,22 @@ template <Continuity K>
 void check_window() {
   INFO(name(K));
   const JointChain chain = window_of_three<K>();
-  FlatProblem<K> flat(chain, gauss_rule(), weights);
-  const Eigen::VectorXd x = flat.values_of(chain);
-  CHECK(flat.miss(x).norm() < 1e-13);
-  const Eigen::VectorXd gradient = flat.gradient(x);
-  const Eigen::MatrixXd constraint = flat.miss_jacobian(x);
+  const auto flat = flat_problem<K>(chain, gauss_rule(), weights);
+  const Eigen::VectorXd x = flat->values_of(chain);
+  CHECK(flat->miss(x).norm() < 1e-13);
+  const Eigen::VectorXd gradient = flat->gradient(x);
+  const Eigen::MatrixXd constraint = flat->miss_jacobian(x);
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;
-  flat.rows(x, residuals, jacobian);
-  CHECK(residuals.squaredNorm() == Approx(flat.objective(x)).epsilon(1e-12));
+  flat->rows(x, residuals, jacobian);
+  CHECK(residuals.squaredNorm() == Approx(flat->objective(x)).epsilon(1e-12));
   CHECK((2.0 * jacobian.transpose() * residuals - gradient).norm() <= 1e-11 * gradient.norm());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     INFO("unknown " << i);
-    const double slope = difference([&](const Eigen::VectorXd& at) { return flat.objective(at); }, x, i);
+    const double slope = difference([&](const Eigen::VectorXd& at) { return flat->objective(at); }, x, i);
     CHECK(std::abs(slope - gradient[i]) <= 1e-7 * gradient.norm());
     for (Eigen::Index row = 0; row < constraint.rows(); ++row) {
-      const double c = difference([&](const Eigen::VectorXd& at) { return flat.miss(at)[row]; }, x, i);
+      const double c = difference([&](const Eigen::VectorXd& at) { return flat->miss(at)[row]; }, x, i);
       CHECK(std::abs(c - constraint(row, i)) <= 1e-9);
     }
   }
