@@ -10,6 +10,7 @@
 
 #include "datasets/datasets.hpp"
 #include "experiments/study/study.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 
@@ -59,11 +60,11 @@ void count_nodes(Tally& tally, const Input& input, const Curve& curve) {
     // The ends of an open curve have no segment of their own.
     if (!input.closed && (node.point == 0 || node.point == input.size() - 1)) continue;
     ++tally.points;
-    tally.pinned += node.pinned;
-    tally.at_inflection += node.at_inflection;
-    tally.minima += node.curvature_minimum;
-    if (node.at_inflection) continue;
-    if (node.pinned) {
+    tally.pinned += node.has(kappa::marks::pinned);
+    tally.at_inflection += node.has(kappa::marks::at_inflection);
+    tally.minima += node.has(kappa::marks::curvature_minimum);
+    if (node.has(kappa::marks::at_inflection)) continue;
+    if (node.has(kappa::marks::pinned)) {
       tally.pinned_peaks += curvature_across(curve, node, 1e-3) == AtPoint::peak;
       continue;
     }

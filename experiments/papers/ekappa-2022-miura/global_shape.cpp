@@ -16,6 +16,7 @@
 #include "experiments/study/verdicts.hpp"
 #include "metrics/correspondence.hpp"
 #include "metrics/curvature_profile.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 
@@ -64,7 +65,7 @@ void measure_segments(const Fit& fit, const Shape& shape, store::CellRecord& cel
         peaks, [&](double t) { return (curve.segment(k).jet(t, 0).position() - here).norm() <= 1e-6 * chord; });
     count("points");
     if (at_point) count("points at a maximum");
-    if (node->pinned) count("points pinned");
+    if (node->has(kappa::marks::pinned)) count("points pinned");
   }
 }
 
@@ -91,7 +92,7 @@ void measure_curvatures(const Fit& fit, const Shape& shape, store::CellRecord& c
   const double chord = mean_chord(fit.input);
   for (const Node& node : inner_nodes(fit)) {
     put(cell, fmt::format("at point {}", shape.words), chord * curvature_at(curve, node));
-    put(cell, fmt::format("pinned at point {}", shape.words), node.pinned ? 1.0 : 0.0);
+    put(cell, fmt::format("pinned at point {}", shape.words), node.has(kappa::marks::pinned) ? 1.0 : 0.0);
   }
   for (const Joint& joint : curve.joints())
     put(cell, fmt::format("at joint {}", shape.words),

@@ -19,6 +19,7 @@
 #include "experiments/study/summaries.hpp"
 #include "experiments/study/verdicts.hpp"
 #include "metrics/correspondence.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 
@@ -110,9 +111,13 @@ void measure_raising(const Registry& registry, const Input& input, store::CellRe
       }
       for (const int point : raised) {
         const Node *before = node_of(*plain.curve, point), *after = node_of(*fit.curve, point);
-        if (before == nullptr || after == nullptr || before->at_inflection || after->at_inflection) continue;
+        if (before == nullptr || after == nullptr || before->has(kappa::marks::at_inflection) ||
+            after->has(kappa::marks::at_inflection))
+          continue;
         const double ratio = curvature_at(*fit.curve, *after) / curvature_at(*plain.curve, *before);
-        put(cell, fmt::format("{} of {} at {}", before->pinned ? "pinned ratio" : "ratio", count, "0.85"), ratio);
+        put(cell,
+            fmt::format("{} of {} at {}", before->has(kappa::marks::pinned) ? "pinned ratio" : "ratio", count, "0.85"),
+            ratio);
       }
     }
   }

@@ -12,6 +12,7 @@
 #include "experiments/papers/fpc-2019-chen/inputs.hpp"
 #include "experiments/study/summaries.hpp"
 #include "schemes/fpc/condition.hpp"
+#include "schemes/fpc/marks.hpp"
 #include "schemes/fpc/tasks.hpp"
 
 namespace kappabench {
@@ -45,7 +46,7 @@ std::optional<Bend> bend_with(const Scheme& scheme, Input input, int i, double h
   const Fit fit = scheme.fit(input);
   if (!study::solved(fit)) return std::nullopt;
   const std::vector<Node> nodes = nodes_of(*fit.curve, i);
-  if (nodes.size() != 1 || nodes[0].at_inflection) return std::nullopt;
+  if (nodes.size() != 1 || nodes[0].has(fpc::marks::at_inflection)) return std::nullopt;
   const Segment& segment = fit.curve->segment(nodes[0].segment);
   const double k = curvature(segment.jet(0.5 * nodes[0].t, 2));
   return Bend{k > 0.0 ? 1.0 : -1.0, length_between(segment, 0.0, 1.0) / mean_chord(input)};
