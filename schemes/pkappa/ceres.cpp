@@ -132,4 +132,6 @@ template Minimum minimise_ceres<Continuity::g1>(Chain&, const QuadratureRule&, c
 template Minimum minimise_ceres<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 template Minimum minimise_ceres<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 
+std::string version_of_ceres() { return CERES_VERSION_STRING; }
+
 }  // namespace kappabench::pkappa

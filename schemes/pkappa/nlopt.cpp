@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nlopt.hpp>
 
 #include <cmath>
@@ -74,5 +75,9 @@ template Minimum minimise_nlopt<Continuity::c1>(Chain&, const QuadratureRule&, c
 template Minimum minimise_nlopt<Continuity::g1>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 template Minimum minimise_nlopt<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 template Minimum minimise_nlopt<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
+
+std::string version_of_nlopt() {
+  return fmt::format("{}.{}.{}", nlopt::version_major(), nlopt::version_minor(), nlopt::version_bugfix());
+}
 
 }  // namespace kappabench::pkappa

@@ -136,4 +136,6 @@ template Minimum minimise_ipopt<Continuity::g1>(Chain&, const QuadratureRule&, c
 template Minimum minimise_ipopt<Continuity::c2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 template Minimum minimise_ipopt<Continuity::g2>(Chain&, const QuadratureRule&, const MinimiseOptions&);
 
+std::string version_of_ipopt() { return IPOPT_VERSION; }
+
 }  // namespace kappabench::pkappa
