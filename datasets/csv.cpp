@@ -50,7 +50,7 @@ bool starts_a_number(std::string_view cell) {
 
 /// A column each, checked: known, not twice, x and y there.
 void check_header(const std::vector<std::string>& header, const Place& place) {
-  const std::string known = fmt::format("known columns are x, y, curve, closed, {}", point_keys_text);
+  const std::string known = fmt::format("known columns are x, y, curve, closed, {}", point_keys_text());
   std::set<std::string_view> seen;
   for (const std::string& column : header) {
     const bool other = column == "x" || column == "y" || column == "curve" || column == "closed" || column == "type";

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -16,6 +18,10 @@
 #include "datasets/text.hpp"
 
 namespace kappabench {
+
+/// Name and text of each file of points/; the build writes it (inside.cmake).
+std::span<const std::pair<std::string_view, std::string_view>> points_inside();
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,9 +47,45 @@ std::vector<Drawing> read_all(const std::vector<fs::path>& files) {
   return drawings;
 }
 
-std::vector<fs::path> builtin_files() {
+/// The folder that stands in for the drawings inside the program; empty if none does.
+fs::path users_folder() {
+  const char* folder = std::getenv("KAPPABENCH_DATASETS");
+  return folder == nullptr ? "" : folder;
+}
+
+std::vector<fs::path> users_files() {
   constexpr std::array<std::string_view, 1> endings{".txt"};
-  return files_in(builtin_folder(), endings);
+  return files_in(users_folder(), endings);
+}
+
+std::string id_of(std::string_view file) { return fs::path(file).stem().string(); }
+
+Drawing drawing_inside(std::string_view file, std::string_view text) {
+  Drawing drawing = parse_plain(text, file);
+  drawing.id = id_of(file);
+  return drawing;
+}
+
+std::vector<std::string> builtin_ids() {
+  std::vector<std::string> ids;
+  if (users_folder().empty()) {
+    for (const auto& [file, text] : points_inside()) ids.push_back(id_of(file));
+  } else {
+    for (const fs::path& file : users_files()) ids.push_back(file.stem().string());
+  }
+  return ids;
+}
+
+std::optional<Drawing> find_builtin(std::string_view id) {
+  if (!users_folder().empty()) {
+    const fs::path file = users_folder() / fmt::format("{}.txt", id);
+    std::error_code error;
+    const bool there = id.find('/') == id.npos && fs::is_regular_file(file, error);
+    return there ? std::optional(read_drawing(file)) : std::nullopt;
+  }
+  const auto files = points_inside();
+  const auto found = std::ranges::find_if(files, [&](const auto& file) { return id_of(file.first) == id; });
+  return found == files.end() ? std::nullopt : std::optional(drawing_inside(found->first, found->second));
 }
 
 std::vector<Drawing> read_folder(const fs::path& folder) {
@@ -73,8 +115,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 [[noreturn]] void refuse_unknown(std::string_view name) {
   std::string near;
-  for (const fs::path& file : builtin_files()) {
-    const std::string id = file.stem().string();
+  for (const std::string& id : builtin_ids()) {
     if (edit_distance(name, id) <= 2 || (name.size() >= 3 && id.find(name) != id.npos)) {
       near += fmt::format("{}{}", near.empty() ? "did you mean " : " or ", id);
     }
@@ -102,20 +143,35 @@ std::vector<Drawing> open_drawings(std::string_view name) {
   if (name.starts_with("glyph:")) return {glyph_drawing(name)};
   if (name.starts_with("random:")) return random_drawings(name);
   if (name.starts_with("analytic:")) return {analytic_drawing(name)};
-  std::error_code error;
-  const fs::path builtin = builtin_folder() / (std::string(name) + ".txt");
-  if (name.find('/') == name.npos && fs::is_regular_file(builtin, error)) return {read_drawing(builtin)};
+  if (std::optional<Drawing> builtin = find_builtin(name)) return {*std::move(builtin)};
   const fs::path path(name);
+  std::error_code error;
   if (fs::is_directory(path, error)) return read_folder(path);
   if (fs::exists(path, error)) return {read_drawing(path)};
   refuse_unknown(name);
 }
 
-std::vector<Drawing> builtin_drawings() { return read_all(builtin_files()); }
+std::vector<Drawing> builtin_drawings() {
+  if (!users_folder().empty()) return read_all(users_files());
+  std::vector<Drawing> drawings;
+  for (const auto& [file, text] : points_inside()) drawings.push_back(drawing_inside(file, text));
+  std::ranges::sort(drawings, {}, &Drawing::id);
+  return drawings;
+}
 
-fs::path builtin_folder() {
-  if (const char* folder = std::getenv("KAPPABENCH_DATASETS"); folder != nullptr && *folder != '\0') return folder;
-  return KAPPABENCH_POINTS_FOLDER;
+std::string fault_of(std::span<const Drawing> drawings) {
+  std::set<std::string_view> ids;
+  for (const Drawing& drawing : drawings) {
+    if (!ids.insert(drawing.id).second) return fmt::format("two built-in drawings have the id '{}'", drawing.id);
+    const std::array<std::pair<std::string_view, const std::string*>, 4> needed{{{"title", &drawing.title},
+                                                                                 {"source", &drawing.source},
+                                                                                 {"licence", &drawing.licence},
+                                                                                 {"units", &drawing.units}}};
+    for (const auto& [key, value] : needed)
+      if (value->empty())
+        return fmt::format("datasets/points/{}.txt: no {}; begin with a line '# {}: ...'", drawing.id, key, key);
+  }
+  return "";
 }
 
 }  // namespace kappabench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -26,10 +27,11 @@ class DataError : public std::runtime_error {
 /// sorted by name. Throws DataError.
 [[nodiscard]] std::vector<Drawing> open_drawings(std::string_view name);
 
-/// The built-in drawings, sorted by id.
+/// The built-in drawings, sorted by id: those inside the program, or all of $KAPPABENCH_DATASETS, a folder of *.txt.
 [[nodiscard]] std::vector<Drawing> builtin_drawings();
 
-/// Where the built-in drawings are: $KAPPABENCH_DATASETS, or the folder known at build time.
-[[nodiscard]] std::filesystem::path builtin_folder();
+/// What is wrong with the drawings inside the program, one line; empty if nothing. Two must not have one id, and each
+/// says its title, source, licence and units.
+[[nodiscard]] std::string fault_of(std::span<const Drawing> drawings);
 
 }  // namespace kappabench

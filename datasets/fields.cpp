@@ -13,9 +13,15 @@ void refuse_repeated(std::string_view key, const Place& place) {
 
 }  // namespace
 
-const NumberKey* find_number_key(std::string_view key) {
-  const auto found = std::ranges::find(number_keys, key, &NumberKey::key);
-  return found == number_keys.end() ? nullptr : &*found;
+std::string point_keys_text() {
+  std::string text = "type";
+  for (const PointNumber& number : point_numbers) text += fmt::format(", {}", number.name);
+  return text;
+}
+
+const PointNumber* find_number_key(std::string_view key) {
+  const auto found = std::ranges::find(point_numbers, key, &PointNumber::name);
+  return found == point_numbers.end() ? nullptr : &*found;
 }
 
 PointType parse_type(std::string_view text, const Place& place) {
@@ -31,13 +37,13 @@ void set_option(PointOptions& options, std::string_view key, std::string_view va
     options.type = parse_type(value, place);
     return;
   }
-  const NumberKey* number = find_number_key(key);
+  const PointNumber* number = find_number_key(key);
   if (number == nullptr) {
-    refuse(place, fmt::format("unknown key {}", in_quotes(key)), fmt::format("known are {}", point_keys_text));
+    refuse(place, fmt::format("unknown key {}", in_quotes(key)), fmt::format("known are {}", point_keys_text()));
   }
   std::optional<double>& target = options.*(number->member);
   if (target) refuse_repeated(key, place);
-  target = parse_number(value, key, place) * number->unit;
+  target = parse_number(value, key, place) * number->file_unit;
 }
 
 MetadataMember find_metadata(std::string_view key) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,25 +12,11 @@ namespace kappabench {
 
 // The keys that the formats have in common.
 
-/// A numeric key of a point. Files give angles in degrees: `unit` is the value of one file unit in PointOptions.
-struct NumberKey {
-  std::string_view key;
-  std::optional<double> PointOptions::*member;
-  double unit = 1.0;
-};
-
-inline constexpr std::array<NumberKey, 6> number_keys{{{"a", &PointOptions::a},
-                                                       {"h", &PointOptions::h},
-                                                       {"alpha", &PointOptions::alpha},
-                                                       {"beta", &PointOptions::beta},
-                                                       {"tangent", &PointOptions::tangent, std::numbers::pi / 180.0},
-                                                       {"curvature", &PointOptions::curvature}}};
-
 /// For messages: every key of a point.
-inline constexpr std::string_view point_keys_text = "type, a, h, alpha, beta, tangent, curvature";
+[[nodiscard]] std::string point_keys_text();
 
-/// nullptr if there is no such key.
-[[nodiscard]] const NumberKey* find_number_key(std::string_view key);
+/// The numeric key of a point, as in files; nullptr if there is no such key.
+[[nodiscard]] const PointNumber* find_number_key(std::string_view key);
 
 /// Throws DataError unless `text` names a PointType.
 [[nodiscard]] PointType parse_type(std::string_view text, const Place& place);

@@ -100,11 +100,11 @@ class TomlReader {
       if (key.str() == "x" || key.str() == "y") continue;
       if (key.str() == "type") {
         options.type = parse_type(text(node, "type"), place(node));
-      } else if (const NumberKey* known = find_number_key(key.str())) {
-        options.*(known->member) = number(node, known->key) * known->unit;
+      } else if (const PointNumber* known = find_number_key(key.str())) {
+        options.*(known->member) = number(node, known->name) * known->file_unit;
       } else {
         refuse(place(node), fmt::format("unknown key {} of a point", in_quotes(key.str())),
-               fmt::format("known are x, y, {}", point_keys_text));
+               fmt::format("known are x, y, {}", point_keys_text()));
       }
     }
     return options;

@@ -38,10 +38,9 @@ void write_metadata(std::ostream& out, const Drawing& drawing) {
 
 void write_options(std::ostream& out, const PointOptions& options) {
   if (options.type) out << " type=" << name(*options.type);
-  for (const NumberKey& key : number_keys) {
-    if (const auto& value = options.*key.member)
-      out << ' ' << key.key << '=' << digits(in_file_units(*value, key.unit));
-  }
+  for (const PointNumber& number : point_numbers)
+    if (const auto& value = options.*number.member)
+      out << ' ' << number.name << '=' << digits(in_file_units(*value, number.file_unit));
 }
 
 void write_curve(std::ostream& out, const Input& curve) {

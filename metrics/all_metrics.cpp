@@ -27,16 +27,25 @@ bool measurable(const Fit& fit) {
   return finite && has_length;
 }
 
-/// The same metric, with all columns NaN for curves that cannot be measured.
+}  // namespace
+
 Metric guarded(Metric metric) {
-  metric.measure = [measure = metric.measure, columns = metric.columns](const Scheme& scheme, const Fit& fit) {
-    if (measurable(fit)) return measure(scheme, fit);
+  metric.measure = [id = metric.id, measure = metric.measure, columns = metric.columns](const Scheme& scheme,
+                                                                                        const Fit& fit) {
     std::vector<Measurement> row;
-    for (const Column& column : columns) row.push_back({column.name, undefined, Method::sampled});
+    if (!measurable(fit)) {
+      for (const Column& column : columns) row.push_back(column(undefined, Method::sampled));
+      return row;
+    }
+    row = measure(scheme, fit);
+    if (!std::ranges::equal(row, columns, {}, &Measurement::column, &Column::name))
+      throw std::logic_error("metric " + id + " does not give the columns that it declares, in their order");
     return row;
   };
   return metric;
 }
+
+namespace {
 
 std::vector<Metric> make_metrics() {
   std::vector<Metric> metrics{parabola_energy_metric(), monotone_intervals_metric(), locality_metric(),

@@ -42,7 +42,7 @@ JointJump jump_at(const Curve& curve, const Joint& joint, double chord, double l
       angle_between(unit_tangent(before, 1.0, Side::before, rest), unit_tangent(after, 0.0, Side::after, rest));
   const double k0 = finite_curvature(end);
   const double k1 = finite_curvature(start);
-  const double scale = std::max({std::abs(k0), std::abs(k1), 1.0 / length});
+  const double larger = std::max(std::abs(k0), std::abs(k1)), scale = std::max(larger, 1.0 / length);
   const double guard = 1e-3 * chord;
   return {joint,
           (start.position() - end.position()).norm() / chord,
@@ -51,7 +51,8 @@ JointJump jump_at(const Curve& curve, const Joint& joint, double chord, double l
           std::abs(std::abs(k1) - std::abs(k0)) / scale,
           (curvature_rounding(end) + curvature_rounding(start)) / scale,
           relative_jump(end.d[1], start.d[1], guard),
-          relative_jump(end.d[2], start.d[2], guard)};
+          relative_jump(end.d[2], start.d[2], guard),
+          larger < scale};
 }
 
 }  // namespace
@@ -86,47 +87,49 @@ std::vector<JointJump> joint_jumps(const Curve& curve, double mean_chord) {
 }
 
 Metric continuity_metric() {
-  const std::string none = "; NaN without such a joint";
-  const std::vector<Column> columns{
-      {"continuity_position_gap", "1", "largest gap at a joint over the mean chord" + none},
-      {"continuity_angle_jump", "rad", "largest angle between tangents, joints claimed G1 or better" + none},
-      {"continuity_curvature_jump_g2", "1", "largest relative jump of curvature, joints claimed G2 or C2" + none},
-      {"continuity_curvature_jump_equal_magnitude", "1",
-       "largest relative jump of |curvature|, joints claimed G1 with equal magnitude" + none},
-      {"continuity_signed_jump_equal_magnitude", "1",
-       "largest relative jump of curvature, joints claimed G1 with equal magnitude" + none},
-      {"continuity_curvature_jump_all", "1", "largest relative jump of curvature at any joint" + none},
-      {"continuity_first_derivative_jump", "1", "largest relative jump of c', joints claimed C1 or C2" + none},
-      {"continuity_second_derivative_jump", "1", "largest relative jump of c'', joints claimed C2" + none},
-      {"continuity_violations", "1", "number of joints that miss their claim"}};
-
   const auto measure = [](const Scheme&, const Fit& fit) {
-    const std::vector<JointJump> jumps = joint_jumps(*fit.curve, mean_chord(fit.input));
-    const auto largest = [&](double JointJump::*value, std::initializer_list<Continuity> claims) {
-      std::vector<double> values;
-      for (const JointJump& jump : jumps) {
-        const bool wanted =
-            claims.size() == 0 || std::find(claims.begin(), claims.end(), jump.joint.claimed) != claims.end();
-        if (wanted) values.push_back(jump.*value);
-      }
-      return kappabench::largest(values);
-    };
     using enum Continuity;
-    const auto violations =
-        std::count_if(jumps.begin(), jumps.end(), [](const JointJump& jump) { return !jump.meets_claim(); });
+    const std::vector<JointJump> all = joint_jumps(*fit.curve, mean_chord(fit.input));
+    const auto claimed = [&](std::initializer_list<Continuity> claims) {
+      std::vector<JointJump> jumps;
+      std::ranges::copy_if(all, std::back_inserter(jumps), [&](const JointJump& jump) {
+        return std::ranges::find(claims, jump.joint.claimed) != claims.end();
+      });
+      return jumps;
+    };
+    const auto largest = [](const Column& column, const std::vector<JointJump>& jumps, double JointJump::*value,
+                            Method method = Method::exact) {
+      std::vector<double> values;
+      for (const JointJump& jump : jumps) values.push_back(jump.*value);
+      return column(kappabench::largest(values), method);
+    };
+    const auto of_curvature = [](const std::vector<JointJump>& jumps) {
+      return std::ranges::any_of(jumps, &JointJump::over_length) ? Method::sampled : Method::exact;
+    };
+    const auto g2_or_c2 = claimed({g2, c2}), equal = claimed({g1_equal_magnitude});
+    const auto violations = std::ranges::count_if(all, [](const JointJump& jump) { return !jump.meets_claim(); });
     return std::vector<Measurement>{
-        {"continuity_position_gap", largest(&JointJump::gap, {}), Method::exact},
-        {"continuity_angle_jump", largest(&JointJump::angle, {g1, g1_equal_magnitude, g2, c1, c2}), Method::exact},
-        {"continuity_curvature_jump_g2", largest(&JointJump::curvature, {g2, c2}), Method::exact},
-        {"continuity_curvature_jump_equal_magnitude", largest(&JointJump::curvature_magnitude, {g1_equal_magnitude}),
-         Method::exact},
-        {"continuity_signed_jump_equal_magnitude", largest(&JointJump::curvature, {g1_equal_magnitude}), Method::exact},
-        {"continuity_curvature_jump_all", largest(&JointJump::curvature, {}), Method::exact},
-        {"continuity_first_derivative_jump", largest(&JointJump::first_derivative, {c1, c2}), Method::exact},
-        {"continuity_second_derivative_jump", largest(&JointJump::second_derivative, {c2}), Method::exact},
-        {"continuity_violations", static_cast<double>(violations), Method::exact}};
+        largest(column::continuity_position_gap, all, &JointJump::gap),
+        largest(column::continuity_angle_jump, claimed({g1, g1_equal_magnitude, g2, c1, c2}), &JointJump::angle),
+        largest(column::continuity_curvature_jump_g2, g2_or_c2, &JointJump::curvature, of_curvature(g2_or_c2)),
+        largest(column::continuity_curvature_jump_equal_magnitude, equal, &JointJump::curvature_magnitude,
+                of_curvature(equal)),
+        largest(column::continuity_signed_jump_equal_magnitude, equal, &JointJump::curvature, of_curvature(equal)),
+        largest(column::continuity_curvature_jump_all, all, &JointJump::curvature, of_curvature(all)),
+        largest(column::continuity_first_derivative_jump, claimed({c1, c2}), &JointJump::first_derivative),
+        largest(column::continuity_second_derivative_jump, claimed({c2}), &JointJump::second_derivative),
+        column::continuity_violations(static_cast<double>(violations),
+                                      of_curvature(claimed({g1_equal_magnitude, g2, c2})))};
   };
-  return {"continuity", "Continuity at joints against the claim", 1, columns, measure};
+  using namespace column;
+  return {.id = "continuity",
+          .title = "Continuity at joints against the claim",
+          .version = 2,
+          .columns = {continuity_position_gap, continuity_angle_jump, continuity_curvature_jump_g2,
+                      continuity_curvature_jump_equal_magnitude, continuity_signed_jump_equal_magnitude,
+                      continuity_curvature_jump_all, continuity_first_derivative_jump,
+                      continuity_second_derivative_jump, continuity_violations},
+          .measure = measure};
 }
 
 }  // namespace kappabench

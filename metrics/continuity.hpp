@@ -6,6 +6,32 @@
 
 namespace kappabench {
 
+namespace column {
+inline const Column continuity_position_gap{"continuity_position_gap", "1",
+                                            "largest gap at a joint over the mean chord; NaN without such a joint"};
+inline const Column continuity_angle_jump{
+    "continuity_angle_jump", "rad",
+    "largest angle between tangents, joints claimed G1 or better; NaN without such a joint"};
+inline const Column continuity_curvature_jump_g2{
+    "continuity_curvature_jump_g2", "1",
+    "largest relative jump of curvature, joints claimed G2 or C2; NaN without such a joint"};
+inline const Column continuity_curvature_jump_equal_magnitude{
+    "continuity_curvature_jump_equal_magnitude", "1",
+    "largest relative jump of |curvature|, joints claimed G1 with equal magnitude; NaN without such a joint"};
+inline const Column continuity_signed_jump_equal_magnitude{
+    "continuity_signed_jump_equal_magnitude", "1",
+    "largest relative jump of curvature, joints claimed G1 with equal magnitude; NaN without such a joint"};
+inline const Column continuity_curvature_jump_all{
+    "continuity_curvature_jump_all", "1", "largest relative jump of curvature at any joint; NaN without such a joint"};
+inline const Column continuity_first_derivative_jump{
+    "continuity_first_derivative_jump", "1",
+    "largest relative jump of c', joints claimed C1 or C2; NaN without such a joint"};
+inline const Column continuity_second_derivative_jump{
+    "continuity_second_derivative_jump", "1",
+    "largest relative jump of c'', joints claimed C2; NaN without such a joint"};
+inline const Column continuity_violations{"continuity_violations", "1", "number of joints that miss their claim"};
+}  // namespace column
+
 /// What happens at one joint. Derivative jumps are |difference| over the larger of the two sizes and 1e-3 of the mean
 /// chord.
 struct JointJump {
@@ -17,6 +43,7 @@ struct JointJump {
   double curvature_uncertainty;  ///< how much of the above two rounding of the coordinates alone can cause
   double first_derivative;
   double second_derivative;
+  bool over_length;  ///< the jumps of curvature are relative to 1 / length: as good as that quadrature, not exact
 
   /// Does it meet what is claimed? gap <= 1e-9, angle <= 1e-7 rad, relative jumps of curvature and of
   /// derivatives <= 1e-6, each plus the uncertainty from the rounding of coordinates.

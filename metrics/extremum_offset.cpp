@@ -56,15 +56,6 @@ Vec2 at(const Curve& curve, const PlacedNode& node) {
 }  // namespace
 
 Metric extremum_offset_metric() {
-  const std::string none = "; NaN without interior nodes or without extrema";
-  const std::vector<Column> columns{
-      {"extremum_offset_mean", "1",
-       "arc length from a node to the nearest curvature extremum over the local chord" + none},
-      {"extremum_offset_max", "1",
-       "arc length from a node to the nearest curvature extremum over the local chord" + none},
-      {"nodes_at_extremum", "1", "fraction of the interior nodes within 1e-6 of the local chord" + none},
-      {"nodes_at_curvature_minimum", "1", "number of interior nodes where |curvature| has a local minimum"}};
-
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const CurvatureProfile profile = curvature_profile(curve);
@@ -89,14 +80,19 @@ Metric extremum_offset_metric() {
       hits += 1.0;
       if (extremum.maximum == (extremum.curvature < 0.0)) minima += 1.0;
     }
-    const Method method = profile.certified ? Method::exact : Method::sampled;
     const double fraction = offsets.empty() ? undefined : hits / static_cast<double>(offsets.size());
-    return std::vector<Measurement>{{"extremum_offset_mean", mean(offsets), method},
-                                    {"extremum_offset_max", largest(offsets), method},
-                                    {"nodes_at_extremum", fraction, method},
-                                    {"nodes_at_curvature_minimum", minima, method}};
+    // Arc lengths are quadrature, and so is what is within some distance of a node.
+    using enum Method;
+    return std::vector<Measurement>{
+        column::extremum_offset_mean(mean(offsets), sampled), column::extremum_offset_max(largest(offsets), sampled),
+        column::nodes_at_extremum(fraction, sampled), column::nodes_at_curvature_minimum(minima, sampled)};
   };
-  return {"extremum_offset", "Distance from points to curvature extrema", 1, columns, measure};
+  using namespace column;
+  return {.id = "extremum_offset",
+          .title = "Distance from points to curvature extrema",
+          .version = 2,
+          .columns = {extremum_offset_mean, extremum_offset_max, nodes_at_extremum, nodes_at_curvature_minimum},
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -55,31 +55,29 @@ double chord_length(const Input& input) {
 }  // namespace
 
 Metric fairness_metric() {
-  const std::string infinite = "; infinite with a cusp";
-  const std::vector<Column> columns{
-      {"bending_energy", "1", "integral of kappa^2 ds times length" + infinite},
-      {"mvc_energy", "1", "integral of (d kappa / ds)^2 ds over the segments times length^3" + infinite},
-      {"curvature_variation", "1", "total variation of curvature, jumps at joints included, times length" + infinite},
-      {"total_turning", "rad", "integral of |kappa| ds, without the corners at joints and cusps"},
-      {"length_over_chords", "1", "length of the curve over that of the polygon of the points"}};
-
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const CurvatureProfile profile = curvature_profile(curve);
     const Integrals sum = integrate(curve, profile);
-    const double divergent = std::numeric_limits<double>::infinity();
     const double length = sum.length;
-    const Method variation_method = profile.certified ? Method::exact : Method::sampled;
-    const auto finite_or_divergent = [&](double value) { return sum.cusp ? divergent : value; };
+    const auto finite_or_divergent = [&](double value) {
+      return sum.cusp ? std::numeric_limits<double>::infinity() : value;
+    };
+    using enum Method;
     return std::vector<Measurement>{
-        {"bending_energy", finite_or_divergent(sum.bending * length), Method::sampled},
-        {"mvc_energy", finite_or_divergent(sum.variation * length * length * length), Method::sampled},
-        {"curvature_variation", finite_or_divergent(total_variation(profile, curve.closed()) * length),
-         variation_method},
-        {"total_turning", sum.turning, Method::sampled},
-        {"length_over_chords", length / chord_length(fit.input), Method::sampled}};
+        column::bending_energy(finite_or_divergent(sum.bending * length), sampled),
+        column::mvc_energy(finite_or_divergent(sum.variation * length * length * length), sampled),
+        // The variation is that of the extrema, but the length is quadrature.
+        column::curvature_variation(finite_or_divergent(total_variation(profile, curve.closed()) * length), sampled),
+        column::total_turning(sum.turning, sampled),
+        column::length_over_chords(length / chord_length(fit.input), sampled)};
   };
-  return {"fairness", "Fairness energies, free of scale", 1, columns, measure};
+  using namespace column;
+  return {.id = "fairness",
+          .title = "Fairness energies, free of scale",
+          .version = 2,
+          .columns = {bending_energy, mvc_energy, curvature_variation, total_turning, length_over_chords},
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -75,11 +75,8 @@ class Landmarks {
   std::vector<double> joints_;
 };
 
-bool sampled_segments(const Curve& curve) {
-  return std::any_of(curve.segments().begin(), curve.segments().end(), [](const SegmentPtr& segment) {
-    const ExactForm form = segment->exact();
-    return std::holds_alternative<BlendForm>(form) || std::holds_alternative<OpaqueForm>(form);
-  });
+bool certified_inflections(const Curve& curve) {
+  return std::ranges::all_of(curve.segments(), [](const SegmentPtr& s) { return inflections(*s).certified; });
 }
 
 }  // namespace
@@ -127,18 +124,6 @@ std::vector<double> cusp_positions(const Curve& curve, const ArcMap& arcs) {
 }
 
 Metric features_metric() {
-  const std::string by_place = ", at a joint that is no node";
-  const std::vector<Column> columns{
-      {"inflections", "1", "sign changes of curvature"},
-      {"inflections_at_nodes", "1", "sign changes of curvature within 1e-6 mean chord of a node"},
-      {"inflections_at_joints", "1", "sign changes of curvature" + by_place},
-      {"cusps", "1", "reversals of direction"},
-      {"cusps_at_nodes", "1", "reversals of direction within 1e-6 mean chord of a node"},
-      {"cusps_at_joints", "1", "reversals of direction" + by_place},
-      {"loops", "1", "self-intersections; NaN if stretches of the curve coincide"},
-      {"loops_at_nodes", "1", "self-intersections within 1e-6 mean chord of a node"},
-      {"loops_at_joints", "1", "self-intersections" + by_place}};
-
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const ArcMap arcs(curve);
@@ -152,19 +137,26 @@ Metric features_metric() {
     for (const Crossing& c : crossings.found) landmarks.count({arcs.position(c.first), arcs.position(c.second)}, loop);
     if (!crossings.complete) loop = {undefined, undefined, undefined};
 
-    const Method method = sampled_segments(curve) ? Method::sampled : Method::exact;
-    std::vector<Measurement> row;
-    const auto add = [&](const std::string& what, const Whereabouts& where) {
-      row.push_back({what, where.all, method});
-      row.push_back({what + "_at_nodes", where.at_nodes, method});
-      row.push_back({what + "_at_joints", where.at_joints, method});
-    };
-    add("inflections", inflection);
-    add("cusps", cusp);
-    add("loops", loop);
-    return row;
+    // Only the sign changes are certified: nearness is arc length by quadrature, a cusp is slow against a mean speed of
+    // samples, and the search for crossings carries no bound of its rounding.
+    using enum Method;
+    return std::vector<Measurement>{column::inflections(inflection.all, certified_inflections(curve) ? exact : sampled),
+                                    column::inflections_at_nodes(inflection.at_nodes, sampled),
+                                    column::inflections_at_joints(inflection.at_joints, sampled),
+                                    column::cusps(cusp.all, sampled),
+                                    column::cusps_at_nodes(cusp.at_nodes, sampled),
+                                    column::cusps_at_joints(cusp.at_joints, sampled),
+                                    column::loops(loop.all, sampled),
+                                    column::loops_at_nodes(loop.at_nodes, sampled),
+                                    column::loops_at_joints(loop.at_joints, sampled)};
   };
-  return {"features", "Inflections, cusps and loops", 1, columns, measure};
+  return {.id = "features",
+          .title = "Inflections, cusps and loops",
+          .version = 2,
+          .columns = {column::inflections, column::inflections_at_nodes, column::inflections_at_joints, column::cusps,
+                      column::cusps_at_nodes, column::cusps_at_joints, column::loops, column::loops_at_nodes,
+                      column::loops_at_joints},
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -7,6 +7,20 @@
 
 namespace kappabench {
 
+namespace column {
+inline const Column inflections{"inflections", "1", "sign changes of curvature"};
+inline const Column inflections_at_nodes{"inflections_at_nodes", "1",
+                                         "sign changes of curvature within 1e-6 mean chord of a node"};
+inline const Column inflections_at_joints{"inflections_at_joints", "1",
+                                          "sign changes of curvature, at a joint that is no node"};
+inline const Column cusps{"cusps", "1", "reversals of direction"};
+inline const Column cusps_at_nodes{"cusps_at_nodes", "1", "reversals of direction within 1e-6 mean chord of a node"};
+inline const Column cusps_at_joints{"cusps_at_joints", "1", "reversals of direction, at a joint that is no node"};
+inline const Column loops{"loops", "1", "self-intersections; NaN if stretches of the curve coincide"};
+inline const Column loops_at_nodes{"loops_at_nodes", "1", "self-intersections within 1e-6 mean chord of a node"};
+inline const Column loops_at_joints{"loops_at_joints", "1", "self-intersections, at a joint that is no node"};
+}  // namespace column
+
 /// Where the curvature of the whole curve changes sign, as arc lengths from its start, ascending: inside segments
 /// (certified where possible) and at joints. A straight stretch between opposite signs counts once, at its end; changes
 /// closer than 1e-9 of the length cancel in pairs, as rounding at a joint makes them.

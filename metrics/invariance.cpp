@@ -156,7 +156,7 @@ class Probe {
 
 constexpr int polygon_sizes[] = {3, 4, 5, 6, 8, 12, 16};
 
-double roundness(const Scheme& scheme, int n) {
+double distance_from_circle(const Scheme& scheme, int n) {
   Input input;
   input.closed = true;
   for (int i = 0; i < n; ++i) {
@@ -177,48 +177,52 @@ double roundness(const Scheme& scheme, int n) {
 }  // namespace
 
 Metric invariance_metric() {
-  const std::string what = ": largest deviation over the mean chord; infinite if it cannot be fitted";
-  const std::vector<Column> columns{
-      {"deviation_similarity", "1", "points scaled by 3.7, turned by 0.7 rad and shifted" + what},
-      {"deviation_mirror", "1", "points mirrored" + what},
-      {"deviation_reversal", "1", "points in reverse order" + what},
-      {"deviation_cyclic_shift", "1", "closed curves: another first point" + what + "; NaN on open curves"},
-      {"deviation_extensionality_mean", "1", "a point of the curve added to the input" + what + "; NaN without spans"},
-      {"deviation_extensionality_max", "1", "a point of the curve added to the input" + what + "; NaN without spans"},
-      {"sensitivity", "1", "all points moved by 1e-9 mean chord: largest deviation over displacement"}};
-
   const auto measure = [](const Scheme& scheme, const Fit& fit) {
     const Probe probe(scheme, fit);
     const Similarity moved{3.7, 0.7, probe.chord() * Vec2(12.0, -5.0), false};
     const Similarity mirrored{1.0, 0.0, Vec2::Zero(), true};
     const std::vector<double> insertions = probe.under_insertion();
-    return std::vector<Measurement>{{"deviation_similarity", probe.under(moved), Method::sampled},
-                                    {"deviation_mirror", probe.under(mirrored), Method::sampled},
-                                    {"deviation_reversal", probe.under_reversal(), Method::sampled},
-                                    {"deviation_cyclic_shift", probe.under_shift(), Method::sampled},
-                                    {"deviation_extensionality_mean", mean(insertions), Method::sampled},
-                                    {"deviation_extensionality_max", largest(insertions), Method::sampled},
-                                    {"sensitivity", probe.sensitivity(), Method::sampled}};
+    using enum Method;
+    return std::vector<Measurement>{column::deviation_similarity(probe.under(moved), sampled),
+                                    column::deviation_mirror(probe.under(mirrored), sampled),
+                                    column::deviation_reversal(probe.under_reversal(), sampled),
+                                    column::deviation_cyclic_shift(probe.under_shift(), sampled),
+                                    column::deviation_extensionality_mean(mean(insertions), sampled),
+                                    column::deviation_extensionality_max(largest(insertions), sampled),
+                                    column::sensitivity(probe.sensitivity(), sampled)};
   };
-  return {"invariance", "Invariance and stability of the scheme", 1, columns, measure, true};
+  using namespace column;
+  return {.id = "invariance",
+          .title = "Invariance and stability of the scheme",
+          .version = 1,
+          .columns = {deviation_similarity, deviation_mirror, deviation_reversal, deviation_cyclic_shift,
+                      deviation_extensionality_mean, deviation_extensionality_max, sensitivity},
+          .measure = measure,
+          .refits = true};
+}
+
+Column column::roundness(int corners) {
+  return {fmt::format("roundness_{}", corners), "1",
+          fmt::format("regular {}-gon: largest distance from its circle over the radius; NaN if the scheme takes no "
+                      "closed input",
+                      corners)};
 }
 
 Metric roundness_metric() {
   std::vector<Column> columns;
-  for (const int n : polygon_sizes) {
-    columns.push_back({fmt::format("roundness_{}", n), "1",
-                       fmt::format("regular {}-gon: largest distance from its circle over the radius; "
-                                   "NaN if the scheme takes no closed input",
-                                   n)});
-  }
+  for (const int n : polygon_sizes) columns.push_back(column::roundness(n));
   const auto measure = [](const Scheme& scheme, const Fit&) {
     std::vector<Measurement> row;
-    for (const int n : polygon_sizes) {
-      row.push_back({fmt::format("roundness_{}", n), roundness(scheme, n), Method::sampled});
-    }
+    for (const int n : polygon_sizes)
+      row.push_back(column::roundness(n)(distance_from_circle(scheme, n), Method::sampled));
     return row;
   };
-  return {"roundness", "Regular polygons against the circle", 1, columns, measure, true};
+  return {.id = "roundness",
+          .title = "Regular polygons against the circle",
+          .version = 1,
+          .columns = std::move(columns),
+          .measure = measure,
+          .refits = true};
 }
 
 }  // namespace kappabench

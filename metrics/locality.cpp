@@ -119,26 +119,33 @@ double decay_per_span(const LocalityProfile& profile) {
   return std::exp((n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x));
 }
 
+Column column::locality_reach(int exponent, int percent) {
+  return {
+      fmt::format("locality_reach_1em{}_move_{}pct", exponent, percent), "spans",
+      fmt::format("farthest span that deviates by more than 1e-{} of the displacement, a point moved by {} % of the "
+                  "mean chord",
+                  exponent, percent)};
+}
+
+Column column::locality_support(int percent) {
+  return {fmt::format("locality_support_move_{}pct", percent), "spans",
+          fmt::format("farthest span that deviates by more than 1e-12 mean chord, a point moved by {} % of the mean "
+                      "chord",
+                      percent)};
+}
+
 Metric locality_metric() {
   static constexpr int percents[] = {1, 5, 10};
   static constexpr int exponents[] = {2, 3, 6};
   std::vector<Column> columns;
   for (const int percent : percents) {
-    const std::string move = fmt::format("a point moved by {} % of the mean chord", percent);
-    for (const int exponent : exponents) {
-      columns.push_back(
-          {fmt::format("locality_reach_1em{}_move_{}pct", exponent, percent), "spans",
-           fmt::format("farthest span that deviates by more than 1e-{} of the displacement, {}", exponent, move)});
-    }
-    columns.push_back({fmt::format("locality_support_move_{}pct", percent), "spans",
-                       "farthest span that deviates by more than 1e-12 mean chord, " + move});
+    for (const int exponent : exponents) columns.push_back(column::locality_reach(exponent, percent));
+    columns.push_back(column::locality_support(percent));
   }
-  columns.push_back(
-      {"locality_decay", "1", "factor of influence from one span to the next, 1 % moves; NaN if too local"});
-  columns.push_back({"locality_failed", "1", "fraction of the moved inputs without a comparable curve"});
-  columns.push_back({"locality_refit_deviation", "1", "refit against cold fit: largest deviation over the mean chord"});
+  columns.insert(columns.end(), {column::locality_decay, column::locality_failed, column::locality_refit_deviation});
 
   const auto measure = [](const Scheme& scheme, const Fit& fit) {
+    using enum Method;
     std::vector<Measurement> row;
     double decay = undefined;
     double fits = 0.0;
@@ -151,20 +158,22 @@ Metric locality_metric() {
       const auto reach = [&](double threshold) {
         return empty ? undefined : static_cast<double>(profile.reach(threshold));
       };
-      for (const int exponent : exponents) {
-        row.push_back({fmt::format("locality_reach_1em{}_move_{}pct", exponent, percent),
-                       reach(std::pow(10.0, -exponent)), Method::sampled});
-      }
-      row.push_back({fmt::format("locality_support_move_{}pct", percent), reach(support / profile.displacement),
-                     Method::sampled});
+      for (const int exponent : exponents)
+        row.push_back(column::locality_reach(exponent, percent)(reach(std::pow(10.0, -exponent)), sampled));
+      row.push_back(column::locality_support(percent)(reach(support / profile.displacement), sampled));
       if (percent == 1) decay = decay_per_span(profile);
     }
-    row.push_back({"locality_decay", decay, Method::sampled});
-    row.push_back({"locality_failed", fits > 0.0 ? failed / fits : undefined, Method::sampled});
-    row.push_back({"locality_refit_deviation", refit_deviation(scheme, fit), Method::sampled});
+    row.push_back(column::locality_decay(decay, sampled));
+    row.push_back(column::locality_failed(fits > 0.0 ? failed / fits : undefined, sampled));
+    row.push_back(column::locality_refit_deviation(refit_deviation(scheme, fit), sampled));
     return row;
   };
-  return {"locality", "Reach of moving one point", 1, columns, measure, true};
+  return {.id = "locality",
+          .title = "Reach of moving one point",
+          .version = 1,
+          .columns = std::move(columns),
+          .measure = measure,
+          .refits = true};
 }
 
 }  // namespace kappabench

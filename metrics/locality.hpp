@@ -6,6 +6,17 @@
 
 namespace kappabench {
 
+namespace column {
+/// Farthest span that deviates by more than 10^-exponent of the displacement of a point by `percent` of the mean chord.
+[[nodiscard]] Column locality_reach(int exponent, int percent);
+[[nodiscard]] Column locality_support(int percent);
+inline const Column locality_decay{"locality_decay", "1",
+                                   "factor of influence from one span to the next, 1 % moves; NaN if too local"};
+inline const Column locality_failed{"locality_failed", "1", "fraction of the moved inputs without a comparable curve"};
+inline const Column locality_refit_deviation{"locality_refit_deviation", "1",
+                                             "refit against cold fit: largest deviation over the mean chord"};
+}  // namespace column
+
 /// How far the effect of moving one point reaches. Spans (between consecutive nodes) are counted from the moved
 /// point: the two beside it are at distance 1, the next two at distance 2, and so on.
 struct LocalityProfile {

@@ -37,44 +37,42 @@ double fraction_of_at_most_two(const std::vector<double>& intervals) {
 }  // namespace
 
 Metric monotone_intervals_metric() {
-  const std::string around = "midpoint to midpoint around a node; NaN without interior nodes";
-  const std::vector<Column> columns{
-      {"intervals_per_segment_mean", "1", "monotone-curvature intervals of a segment, mean"},
-      {"intervals_per_segment_max", "1", "monotone-curvature intervals of a segment, largest"},
-      {"segments_with_at_most_two_intervals", "1", "fraction of the segments"},
-      {"intervals_per_centred_piece_mean", "1", "monotone-curvature intervals, mean, " + around},
-      {"intervals_per_centred_piece_max", "1", "monotone-curvature intervals, largest, " + around},
-      {"centred_pieces_with_at_most_two_intervals", "1", "fraction of the pieces, " + around},
-      {"curvature_extrema", "1", "local extrema of curvature over the whole curve, joints included"},
-      {"prominent_intervals_per_segment_mean", "1", "as above, reversals under 1 % of the curvature range ignored"},
-      {"prominent_intervals_per_segment_max", "1", "as above, reversals under 1 % of the curvature range ignored"},
-      {"prominent_intervals_per_centred_piece_mean", "1", "as above, reversals under 1 % of the range ignored"},
-      {"prominent_intervals_per_centred_piece_max", "1", "as above, reversals under 1 % of the range ignored"},
-      {"prominent_extrema", "1", "local extrema of curvature, reversals under 1 % of the curvature range ignored"}};
-
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const CurvatureProfile profile = curvature_profile(curve);
-    const Method method = profile.certified ? Method::exact : Method::sampled;
-    std::vector<Measurement> row;
-    const auto add = [&](const std::string& column, double value) { row.push_back({column, value, method}); };
-    for (const bool filtered : {false, true}) {
-      const double prominence = filtered ? prominent * profile.range : 0.0;
-      const std::string stem = filtered ? "prominent_" : "";
-      const auto segments = per_segment(curve, profile, prominence);
-      const auto pieces = per_centred_piece(curve, profile, prominence);
-      const auto extrema = static_cast<double>(turning_points(profile, curve.closed(), prominence).size());
-      add(stem + "intervals_per_segment_mean", mean(segments));
-      add(stem + "intervals_per_segment_max", largest(segments));
-      if (!filtered) add("segments_with_at_most_two_intervals", fraction_of_at_most_two(segments));
-      add(stem + "intervals_per_centred_piece_mean", mean(pieces));
-      add(stem + "intervals_per_centred_piece_max", largest(pieces));
-      if (!filtered) add("centred_pieces_with_at_most_two_intervals", fraction_of_at_most_two(pieces));
-      add(filtered ? "prominent_extrema" : "curvature_extrema", extrema);
-    }
-    return row;
+    const double visible = prominent * profile.range;
+    const auto segments = per_segment(curve, profile, 0.0), visible_segments = per_segment(curve, profile, visible);
+    const auto pieces = per_centred_piece(curve, profile, 0.0);
+    const auto visible_pieces = per_centred_piece(curve, profile, visible);
+    const auto extrema = [&](double prominence) {
+      return static_cast<double>(turning_points(profile, curve.closed(), prominence).size());
+    };
+    const Method counted = profile.certified ? Method::exact : Method::sampled;
+    const Method cut = Method::sampled;  // pieces end at arc-length midpoints, which are quadrature
+    return std::vector<Measurement>{
+        column::intervals_per_segment_mean(mean(segments), counted),
+        column::intervals_per_segment_max(largest(segments), counted),
+        column::segments_with_at_most_two_intervals(fraction_of_at_most_two(segments), counted),
+        column::intervals_per_centred_piece_mean(mean(pieces), cut),
+        column::intervals_per_centred_piece_max(largest(pieces), cut),
+        column::centred_pieces_with_at_most_two_intervals(fraction_of_at_most_two(pieces), cut),
+        column::curvature_extrema(extrema(0.0), counted),
+        column::prominent_intervals_per_segment_mean(mean(visible_segments), counted),
+        column::prominent_intervals_per_segment_max(largest(visible_segments), counted),
+        column::prominent_intervals_per_centred_piece_mean(mean(visible_pieces), cut),
+        column::prominent_intervals_per_centred_piece_max(largest(visible_pieces), cut),
+        column::prominent_extrema(extrema(visible), counted)};
   };
-  return {"monotone_intervals", "Intervals of monotone curvature", 1, columns, measure};
+  return {.id = "monotone_intervals",
+          .title = "Intervals of monotone curvature",
+          .version = 2,
+          .columns = {column::intervals_per_segment_mean, column::intervals_per_segment_max,
+                      column::segments_with_at_most_two_intervals, column::intervals_per_centred_piece_mean,
+                      column::intervals_per_centred_piece_max, column::centred_pieces_with_at_most_two_intervals,
+                      column::curvature_extrema, column::prominent_intervals_per_segment_mean,
+                      column::prominent_intervals_per_segment_max, column::prominent_intervals_per_centred_piece_mean,
+                      column::prominent_intervals_per_centred_piece_max, column::prominent_extrema},
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -127,20 +127,20 @@ ParabolaFit best_parabola(const Segment& segment, std::optional<double> vertex) 
   return fit_parabola(over_parameter(segment, extrema_of(segment)), vertex);
 }
 
+ParabolaEnergyColumns column::parabola_energy(const std::string& variant, const std::string& what) {
+  const std::string stem = "parabola_energy_" + variant;
+  const std::string where = what + "; NaN without such a piece, infinite with a cusp in one";
+  return {.mean = {stem + "_mean", "1/length", "mean E_p, " + where},
+          .max = {stem + "_max", "1/length", "largest E_p, " + where},
+          .scaled_mean = {stem + "_scaled_mean", "1", "mean E_p times mean chord, " + where},
+          .scaled_max = {stem + "_scaled_max", "1", "largest E_p times mean chord, " + where}};
+}
+
 Metric parabola_energy_metric() {
   std::vector<Column> columns;
-  const auto describe = [&columns](const std::string& variant, const std::string& what) {
-    const std::string stem = "parabola_energy_" + variant;
-    const std::string where = what + "; NaN without such a piece, infinite with a cusp in one";
-    columns.push_back({stem + "_mean", "1/length", "mean E_p, " + where});
-    columns.push_back({stem + "_max", "1/length", "largest E_p, " + where});
-    columns.push_back({stem + "_scaled_mean", "1", "mean E_p times mean chord, " + where});
-    columns.push_back({stem + "_scaled_max", "1", "largest E_p times mean chord, " + where});
-  };
-  describe("native", "segments with one node inside, parabola in t with its vertex at the node");
-  describe("native_free", "segments with one node inside, any parabola in t");
-  describe("centred", "midpoint to midpoint around each node, parabola in arc length with its vertex at the node");
-  describe("centred_free", "midpoint to midpoint around each node, any parabola in arc length");
+  for (const auto* of : {&column::parabola_energy_native, &column::parabola_energy_native_free,
+                         &column::parabola_energy_centred, &column::parabola_energy_centred_free})
+    columns.insert(columns.end(), {of->mean, of->max, of->scaled_mean, of->scaled_max});
 
   const auto measure = [](const Scheme&, const Fit& fit) {
     const CurvatureProfile profile = curvature_profile(*fit.curve);
@@ -148,20 +148,23 @@ Metric parabola_energy_metric() {
     const Energies centred = centred_energies(*fit.curve, profile);
     const double chord = mean_chord(fit.input);
     std::vector<Measurement> row;
-    const auto add = [&](const std::string& variant, const std::vector<double>& energies) {
-      const std::string stem = "parabola_energy_" + variant;
-      row.push_back({stem + "_mean", mean(energies), Method::sampled});
-      row.push_back({stem + "_max", largest(energies), Method::sampled});
-      row.push_back({stem + "_scaled_mean", chord * mean(energies), Method::sampled});
-      row.push_back({stem + "_scaled_max", chord * largest(energies), Method::sampled});
+    const auto add = [&](const ParabolaEnergyColumns& of, const std::vector<double>& energies) {
+      using enum Method;
+      const double average = mean(energies), most = largest(energies);
+      row.insert(row.end(), {of.mean(average, sampled), of.max(most, sampled), of.scaled_mean(chord * average, sampled),
+                             of.scaled_max(chord * most, sampled)});
     };
-    add("native", native.pinned);
-    add("native_free", native.free);
-    add("centred", centred.pinned);
-    add("centred_free", centred.free);
+    add(column::parabola_energy_native, native.pinned);
+    add(column::parabola_energy_native_free, native.free);
+    add(column::parabola_energy_centred, centred.pinned);
+    add(column::parabola_energy_centred_free, centred.free);
     return row;
   };
-  return {"parabola_energy", "Distance of curvature from a parabola", 1, columns, measure};
+  return {.id = "parabola_energy",
+          .title = "Distance of curvature from a parabola",
+          .version = 1,
+          .columns = std::move(columns),
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "metrics/metric.hpp"
 #include "schemes/curve/segment.hpp"
@@ -9,6 +10,24 @@
 namespace kappabench {
 
 /// How far curvature is from a parabola: E_p = integral of (kappa - Q)^2 ds (Wang 2024, Eq. (3)), 1/length.
+
+/// Of one way to cut the curve into pieces and to choose Q.
+struct ParabolaEnergyColumns {
+  Column mean, max, scaled_mean, scaled_max;  ///< scaled: times the mean chord
+};
+
+namespace column {
+[[nodiscard]] ParabolaEnergyColumns parabola_energy(const std::string& variant, const std::string& what);
+
+inline const ParabolaEnergyColumns parabola_energy_native =
+    parabola_energy("native", "segments with one node inside, parabola in t with its vertex at the node");
+inline const ParabolaEnergyColumns parabola_energy_native_free =
+    parabola_energy("native_free", "segments with one node inside, any parabola in t");
+inline const ParabolaEnergyColumns parabola_energy_centred = parabola_energy(
+    "centred", "midpoint to midpoint around each node, parabola in arc length with its vertex at the node");
+inline const ParabolaEnergyColumns parabola_energy_centred_free =
+    parabola_energy("centred_free", "midpoint to midpoint around each node, any parabola in arc length");
+}  // namespace column
 
 /// Q(u) = a0 + a1 u + a2 u^2.
 struct Parabola {

@@ -5,11 +5,18 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <initializer_list>
 #include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace kappabench {
+
+/// Name and text of each file of paper/; the build writes it (datasets/inside.cmake).
+std::span<const std::pair<std::string_view, std::string_view>> papers_inside();
+
 namespace {
 
 using Keys = std::initializer_list<std::string_view>;
@@ -91,19 +98,20 @@ PrintedTable read_printed_table(const PaperFile& file, const toml::table& entry)
 
 }  // namespace
 
-Paper read_paper(const std::filesystem::path& path) {
+Paper parse_paper(std::string_view text, const std::string& name) {
   toml::table root;
   try {
-    root = toml::parse_file(path.string());
+    root = toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw PaperError(fmt::format("{}:{}: {}", path.string(), error.source().begin.line, error.description()));
+    throw PaperError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
   }
-  const PaperFile file(path.string());
+  const PaperFile file(name);
   file.only(root, {"paper", "claim", "table"});
   const toml::table* head = root["paper"].as_table();
   if (head == nullptr) file.refuse(root, "[paper] is missing");
   file.only(*head, {"title", "citation"});
-  Paper paper{path.stem().string(), file.word(*head, "title"), file.word(*head, "citation"), {}, {}};
+  Paper paper{
+      std::filesystem::path(name).stem().string(), file.word(*head, "title"), file.word(*head, "citation"), {}, {}};
   std::set<std::string> ids;
   for (const auto* entry : file.tables(root, "claim")) {
     file.only(*entry, {"id", "place", "text", "printed"});
@@ -118,19 +126,21 @@ Paper read_paper(const std::filesystem::path& path) {
   return paper;
 }
 
-std::vector<Paper> read_papers(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  }
-  if (error) throw PaperError(fmt::format("{}: {}", folder.string(), error.message()));
-  std::sort(files.begin(), files.end());
-  std::vector<Paper> papers;
-  for (const auto& file : files) papers.push_back(read_paper(file));
+const std::vector<Paper>& printed_papers() {
+  static const std::vector<Paper> papers = [] {
+    std::vector<Paper> all;
+    for (const auto& [file, text] : papers_inside()) all.push_back(parse_paper(text, std::string(file)));
+    std::ranges::sort(all, {}, &Paper::id);
+    return all;
+  }();
   return papers;
 }
 
-std::filesystem::path papers_folder() { return KAPPABENCH_PAPERS_FOLDER; }
+const Paper& printed_paper(std::string_view id) {
+  const std::vector<Paper>& papers = printed_papers();
+  const auto found = std::ranges::find(papers, id, &Paper::id);
+  if (found == papers.end()) throw PaperError(fmt::format("reports/paper/{}.toml: there is no such file", id));
+  return *found;
+}
 
 }  // namespace kappabench

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kappabench {
@@ -37,13 +37,14 @@ class PaperError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads one paper. Unknown keys, missing ones and ids used twice throw PaperError.
-[[nodiscard]] Paper read_paper(const std::filesystem::path& file);
+/// Reads the text of one paper; `file` is what messages call it, and its name without folder and ending is the id.
+/// Unknown keys, missing ones and ids used twice throw PaperError.
+[[nodiscard]] Paper parse_paper(std::string_view text, const std::string& file);
 
-/// All papers of a folder, in the order of their names.
-[[nodiscard]] std::vector<Paper> read_papers(const std::filesystem::path& folder);
+/// Every paper of reports/paper/, sorted by id.
+[[nodiscard]] const std::vector<Paper>& printed_papers();
 
-/// Where this build keeps its papers.
-[[nodiscard]] std::filesystem::path papers_folder();
+/// One of them. Throws PaperError naming the file that is missing.
+[[nodiscard]] const Paper& printed_paper(std::string_view id);
 
 }  // namespace kappabench

@@ -196,7 +196,7 @@ std::string file_stem(std::string_view experiment, std::string_view id) {
 std::vector<std::string> write_report(const store::Results& results, const fs::path& folder, const Progress& progress,
                                       const ReportOptions& options) {
   refuse_shared_names(results);
-  const std::vector<Paper> papers = read_papers(options.papers);
+  const std::vector<Paper>& papers = options.papers;
   std::vector<FigureTask> tasks;
   std::size_t total = 1;
   for (const auto& experiment : results.experiments) {

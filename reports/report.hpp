@@ -16,9 +16,9 @@ namespace kappabench {
 using Progress = std::function<void(std::size_t done, std::size_t total, std::string_view what)>;
 
 struct ReportOptions {
-  std::string gnuplot = "gnuplot";                 ///< program that draws
-  int jobs = 2;                                    ///< figures drawn at a time
-  std::filesystem::path papers = papers_folder();  ///< claims and printed numbers
+  std::string gnuplot = "gnuplot";               ///< program that draws
+  int jobs = 2;                                  ///< figures drawn at a time
+  std::vector<Paper> papers = printed_papers();  ///< claims and printed numbers
 };
 
 /// Writes everything that can be read: `tables/*.md, *.csv, *.tex`, `figures/*.gp, *.dat, *.svg, *.png`, `index.html`.

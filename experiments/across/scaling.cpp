@@ -1,5 +1,4 @@
-#include "experiments/run/experiment.hpp"
-
+// How time and memory of a fit grow with the number of points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,13 +9,15 @@
 #include <utility>
 
 #include "datasets/datasets.hpp"
-#include "experiments/study/study.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
+#include "experiments/study/selection.hpp"
 #include "experiments/study/timing.hpp"
 
 namespace kappabench {
-
 namespace {
+
+using study::Findings, study::Notes, study::Panel, study::Quantity, study::Table;
 
 constexpr std::string_view about =
     "Every scheme with its default parameters on closed random stars of growing size: processor time of a cold fit, "
@@ -27,18 +28,20 @@ constexpr std::string_view about =
     "that a plan names are always tried (experiments/plans/scaling-full.toml goes to a million). Run with -j 1 on an "
     "idle machine for clean numbers: two cells at a time share caches and memory.";
 
-constexpr int version = 1;
+// ---- what is measured
+
+const Quantity points = study::count_of("points"), iterations = study::count_of("iterations");
+const Quantity memory{"memory", "B", Method::sampled};
+
 constexpr double longest_expected = 2.0;  ///< seconds a default fit may be expected to take
 constexpr double longest_repeated = 0.5;  ///< seconds of a fit that is timed more than once
 constexpr double cell_budget = 0.12;      ///< seconds of samples a cell, more if one fit takes more
 constexpr double least_points = 100.0;    ///< from where growth is fitted
 
-std::string dataset_of(int n) { return fmt::format("random:star:n={},seed=1,closed=true", n); }
-
 double points_in(const Drawing& drawing) {
-  std::size_t points = 0;
-  for (const Input& input : drawing.curves) points += input.points.size();
-  return static_cast<double>(points);
+  std::size_t count = 0;
+  for (const Input& input : drawing.curves) count += input.points.size();
+  return static_cast<double>(count);
 }
 
 /// Fits of all curves of a drawing.
@@ -78,37 +81,37 @@ class JetWork {
   std::vector<SegmentPtr> segments_;
 };
 
-void put(store::CellRecord& cell, const char* column, double value, const char* unit = "1") {
-  cell.measurements.push_back({column, value, "sampled", unit});
-}
-
-/// What the first fit says; an unsolved curve is no obstacle to timing.
-void report(store::CellRecord& cell, const Fits& first) {
-  int iterations = 0;
+/// What the first fit says; an unsolved curve is no obstacle to timing. The most iterations.
+int report(store::CellRecord& cell, const Fits& first) {
+  int most = 0;
   for (const Fit& fit : first.fits) {
-    iterations = std::max(iterations, fit.report.iterations);
+    most = std::max(most, fit.report.iterations);
     if (fit.report.outcome == Outcome::converged) continue;
     cell.outcome = name(fit.report.outcome);
     cell.message = fit.report.message;
   }
-  put(cell, "iterations", iterations);
+  return most;
 }
 
-void measure(const Scheme& scheme, const Drawing& drawing, const Drawing* tenth, store::CellRecord& cell) {
-  put(cell, "points", points_in(drawing));
-  if (tenth != nullptr) {
-    const double expected = 10.0 * fit_all(scheme, *tenth).seconds;
+/// The drawings: the one that is timed, a small one, and perhaps one of a tenth of the points.
+void measure(const Uses& uses, Notes& notes) {
+  const Scheme& scheme = *uses.schemes.front();
+  const Drawing &drawing = uses.drawings.at(0), &small = uses.drawings.at(1);
+  store::CellRecord& cell = notes.cell();
+  notes.put(points(points_in(drawing)));
+  if (uses.drawings.size() > 2) {
+    const double expected = 10.0 * fit_all(scheme, uses.drawings[2]).seconds;
     if (expected > longest_expected) {
       cell.outcome = name(Outcome::not_converged);
       cell.message = fmt::format("not tried: a tenth of the points says that it takes {:.2g} s or more", expected);
       return;
     }
   }
-  (void)fit_all(scheme, open_drawings(dataset_of(10)).front());  // pages that any fit touches
+  (void)fit_all(scheme, small);  // pages that any fit touches
   const double resident = peak_resident_bytes();
   const Fits first = fit_all(scheme, drawing);
-  put(cell, "memory", peak_resident_bytes() - resident, "B");
-  report(cell, first);
+  const double grown = peak_resident_bytes() - resident;
+  notes.row({}, {memory(grown), iterations(report(cell, first))});
   if (std::ranges::none_of(first.fits, [](const Fit& fit) { return fit.curve.has_value(); })) return;
   if (first.seconds > longest_repeated) {
     cell.timings["fit"] = {first.seconds};  // too long to be taken again: the one sample there is
@@ -124,66 +127,73 @@ void measure(const Scheme& scheme, const Drawing& drawing, const Drawing* tenth,
   cell.timings.merge(samples);
 }
 
-std::vector<CellJob> jobs(const Context& context) {
-  std::vector<SchemePtr> schemes;
-  for (const std::string& text : context.schemes) schemes.push_back(context.registry.parse(text));
-  if (schemes.empty())
-    for (const SchemeInfo& info : context.registry.list()) schemes.push_back(context.registry.create(info.id));
+Drawing star(int n) { return open_drawings(fmt::format("random:star:n={},seed=1,closed=true", n)).front(); }
 
+std::vector<CellJob> jobs(const Context& context) {
+  const std::vector<SchemePtr> schemes = study::schemes_of(context);
+  const Drawing small = star(10);
   std::vector<CellJob> jobs;
-  const auto add = [&](const Drawing& drawing, const Drawing* tenth) {
+  const auto add = [&](std::vector<Drawing> drawings) {
     for (const SchemePtr& scheme : schemes)
-      jobs.push_back(
-          other_job(drawing.id, scheme, fmt::format("scaling {}, {}", version, study::contents_of({drawing})),
-                    [scheme, drawing, probe = tenth == nullptr ? Drawing{} : *tenth](store::CellRecord& cell) {
-                      measure(*scheme, drawing, probe.curves.empty() ? nullptr : &probe, cell);
-                    }));
+      jobs.push_back(study::numbers_job<measure>({.work = "scaling", .schemes = {scheme}, .drawings = drawings},
+                                                 drawings.front().id, label_of(*scheme)));
   };
   for (const std::string& dataset : context.datasets)
-    for (const Drawing& drawing : open_drawings(dataset)) add(drawing, nullptr);
+    for (const Drawing& drawing : open_drawings(dataset)) add({drawing, small});
   if (!context.datasets.empty()) return jobs;
-  for (const int n : {10, 32, 100, 320, 1000, 3200, 10000}) {
-    const Drawing drawing = open_drawings(dataset_of(n)).front();
-    if (n < 100) {
-      add(drawing, nullptr);
-    } else {
-      const Drawing tenth = open_drawings(dataset_of(n / 10)).front();
-      add(drawing, &tenth);
-    }
-  }
+  for (const int n : {10, 32, 100, 320, 1000, 3200, 10000})
+    n < 100 ? add({star(n), small}) : add({star(n), small, star(n / 10)});
   return jobs;
 }
 
-double points_of(const store::CellRecord& cell) { return measured(cell, "points").value_or(std::nan("")); }
+// ---- what follows
 
-double median_of(const store::CellRecord& cell, const char* timing) {
-  const auto found = cell.timings.find(timing);
-  return found == cell.timings.end() ? std::nan("") : median(found->second);
+/// A finished cell; what it does not have is NaN.
+struct Timed {
+  std::string label, outcome;
+  double points, iterations, memory;
+  std::vector<double> fits;
+  double fit, jet;  ///< medians
+};
+
+std::vector<Timed> timed(const Findings& found) {
+  std::vector<Timed> all;
+  for (const store::CellRecord& cell : found.cells()) {
+    const study::Rows rows({cell});
+    const auto samples = [&](const char* work) {
+      const auto known = cell.timings.find(work);
+      return known == cell.timings.end() ? std::vector<double>{} : known->second;
+    };
+    const std::vector<double> fits = samples("fit");
+    all.push_back({.label = cell.label,
+                   .outcome = cell.message.starts_with("not tried") ? "not tried" : cell.outcome,
+                   .points = rows.largest(points),
+                   .iterations = rows.total(iterations),
+                   .memory = rows.largest(memory),
+                   .fits = fits,
+                   .fit = median(fits),
+                   .jet = median(samples("jet"))});
+  }
+  return all;
 }
 
-store::TableRecord cell_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("scaling", "Time and memory against the number of points",
-                       "Medians over the samples of each cell; spread: quotient of the largest and least sample.");
-  builder.words("scheme").counts("points").words("outcome").counts("iterations").counts("samples");
-  builder.numbers("fit", "s").numbers("spread").numbers("fit a point", "s").numbers("jet", "s");
-  builder.numbers("memory", "B").numbers("memory a point", "B");
-  for (const store::CellRecord& cell : record.cells) {
-    const double n = points_of(cell), fit = median_of(cell, "fit");
-    const double memory = measured(cell, "memory").value_or(std::nan(""));
-    const auto found = cell.timings.find("fit");
-    const bool sampled = found != cell.timings.end() && !found->second.empty();
-    builder.row(
-        {cell.label, n, cell.message.starts_with("not tried") ? "not tried" : cell.outcome,
-         measured(cell, "iterations").value_or(0.0), sampled ? static_cast<double>(found->second.size()) : 0.0, fit,
-         sampled ? *std::ranges::max_element(found->second) / *std::ranges::min_element(found->second) : std::nan(""),
-         fit / n, median_of(cell, "jet"), memory, memory / n});
+Table cell_table(const std::vector<Timed>& cells) {
+  Table table("scaling", "Time and memory against the number of points",
+              "Medians over the samples of each cell; spread: quotient of the largest and least sample.");
+  table.words("scheme").counts("points").words("outcome").counts("iterations").counts("samples");
+  table.numbers("fit", "s").numbers("spread").numbers("fit a point", "s").numbers("jet", "s");
+  table.numbers("memory", "B").numbers("memory a point", "B");
+  for (const Timed& c : cells) {
+    const double spread = c.fits.empty() ? undefined : std::ranges::max(c.fits) / std::ranges::min(c.fits);
+    table.row({c.label, c.points, c.outcome, c.iterations, c.fits.size(), c.fit, spread, c.fit / c.points, c.jet,
+               c.memory, c.memory / c.points});
   }
-  return builder.table();
+  return table;
 }
 
 /// Slope of y over x by least squares, with its 95 % interval.
 struct Exponent {
-  double value = std::nan(""), low = std::nan(""), high = std::nan("");
+  double value = undefined, low = undefined, high = undefined;
 };
 
 Exponent exponent_of(const std::vector<double>& x, const std::vector<double>& y) {
@@ -206,69 +216,65 @@ Exponent exponent_of(const std::vector<double>& x, const std::vector<double>& y)
   return {slope, slope - half, slope + half};
 }
 
-store::TableRecord exponent_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("exponents", "Exponents of growth",
-                       fmt::format("Fit time grows like (points)^exponent; least squares in logarithms over the sizes "
-                                   "from {:.0f} points on, 95 % interval. The jet is the median over all sizes.",
-                                   least_points));
-  builder.words("scheme").counts("sizes").numbers("exponent").numbers("low").numbers("high").counts("most points");
-  builder.numbers("its fit", "s").numbers("jet", "s");
+Table exponent_table(const std::vector<Timed>& cells) {
+  Table table("exponents", "Exponents of growth",
+              fmt::format("Fit time grows like (points)^exponent; least squares in logarithms over the sizes from "
+                          "{:.0f} points on, 95 % interval. The jet is the median over all sizes.",
+                          least_points));
+  table.words("scheme").counts("sizes").numbers("exponent").numbers("low").numbers("high").counts("most points");
+  table.numbers("its fit", "s").numbers("jet", "s");
   std::vector<std::string> labels;
-  for (const store::CellRecord& cell : record.cells)
-    if (std::ranges::find(labels, cell.label) == labels.end()) labels.push_back(cell.label);
+  for (const Timed& c : cells)
+    if (std::ranges::find(labels, c.label) == labels.end()) labels.push_back(c.label);
   for (const std::string& label : labels) {
     std::vector<double> x, y, jets;
-    double most = std::nan(""), its_fit = std::nan("");
-    for (const store::CellRecord& cell : record.cells) {
-      const double n = points_of(cell), fit = median_of(cell, "fit");
-      if (cell.label != label || std::isnan(fit)) continue;
-      jets.push_back(median_of(cell, "jet"));
-      if (!(most >= n)) most = n, its_fit = fit;
-      if (n < least_points) continue;
-      x.push_back(std::log(n));
-      y.push_back(std::log(fit));
+    const Timed* largest = nullptr;
+    for (const Timed& c : cells) {
+      if (c.label != label || std::isnan(c.fit)) continue;
+      jets.push_back(c.jet);
+      if (largest == nullptr || c.points > largest->points) largest = &c;
+      if (c.points < least_points) continue;
+      x.push_back(std::log(c.points));
+      y.push_back(std::log(c.fit));
     }
     const Exponent exponent = exponent_of(x, y);
-    builder.row({label, static_cast<double>(x.size()), exponent.value, exponent.low, exponent.high, most, its_fit,
-                 median(jets)});
+    table.row({label, x.size(), exponent.value, exponent.low, exponent.high, largest ? largest->points : undefined,
+               largest ? largest->fit : undefined, median(jets)});
   }
-  return builder.table();
+  return table;
 }
 
-store::PanelRecord panel(std::string y, std::string y_label, bool slope) {
-  return {.kind = "graph",
-          .table = "scaling",
-          .x = "points",
-          .y = {std::move(y)},
-          .series = "scheme",
-          .log_x = true,
-          .log_y = true,
-          .slope = slope,
-          .x_label = "points",
-          .y_label = std::move(y_label)};
+Panel growth(std::string of, std::string axis) {
+  return Panel::graph("scaling", "points", {std::move(of)}, "")
+      .labels("points", std::move(axis))
+      .series("scheme")
+      .log_x()
+      .log_y();
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {exponent_table(record), cell_table(record)};
-  record.figures = {{.id = "scaling",
-                     .title = "Time of a fit against the number of points",
-                     .caption = "Medians of cold fits. The slopes in the legend are over all sizes, those of the table "
-                                "of exponents from 100 points on.",
-                     .panels = {panel("fit", "seconds", true)}},
-                    {.id = "scaling-memory",
-                     .title = "Memory against the number of points",
-                     .caption = "Growth of the resident set during the first fit of that size in its process.",
-                     .panels = {panel("memory", "bytes", false)}}};
+void conclude(Findings& found) {
+  const std::vector<Timed> cells = timed(found);
+  found.add(exponent_table(cells));
+  found.add(cell_table(cells));
+  found.add({.id = "scaling",
+             .title = "Time of a fit against the number of points",
+             .caption = "Medians of cold fits. The slopes in the legend are over all sizes, those of the table of "
+                        "exponents from 100 points on.",
+             .panels = {growth("fit", "seconds").slope()}});
+  found.add({.id = "scaling-memory",
+             .title = "Memory against the number of points",
+             .caption = "Growth of the resident set during the first fit of that size in its process.",
+             .panels = {growth("memory", "bytes")}});
 }
 
 }  // namespace
 
 Experiment scaling_experiment() {
-  return {.id = "scaling",
-          .title = "Growth of time and memory",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "scaling",
+                            .title = "Growth of time and memory",
+                            .about = std::string(about),
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -4,15 +4,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <new>
 #include <thread>
 
+#include "datasets/datasets.hpp"
 #include "experiments/program/errors.hpp"
 #include "experiments/program/verbs.hpp"
+#include "experiments/run/house.hpp"
 
 namespace kappabench {
 
 namespace {
+
+/// Drawings inside the program say where they come from; those of a user need not.
+std::vector<Drawing> drawings_to_check() {
+  return std::getenv("KAPPABENCH_DATASETS") == nullptr ? builtin_drawings() : std::vector<Drawing>{};
+}
 
 int complain(ExitStatus status, std::string message) {
   // One line, whatever the library that complains likes.
@@ -151,6 +159,7 @@ int run_command_line(int argc, char** argv) {
   try {
     Registry registry;
     register_all(registry);
+    check_house(all_experiments(), printed_papers(), drawings_to_check());
     CommandLine command(registry);
     if (argc > 1) require_known_verb(command.app, argv[1]);
     try {

@@ -70,11 +70,6 @@ void add_joints(store::CurveRecord& record, const Curve& curve, const std::vecto
   }
 }
 
-std::string unit_of(const Metric& metric, const std::string& column) {
-  const auto found = std::ranges::find(metric.columns, column, &Column::name);
-  return found == metric.columns.end() ? std::string() : found->unit;
-}
-
 }  // namespace
 
 store::CurveRecord record_of(const Scheme& scheme, const Fit& fit, std::span<const Metric* const> metrics) {
@@ -100,7 +95,7 @@ store::CurveRecord record_of(const Scheme& scheme, const Fit& fit, std::span<con
   add_joints(record, *fit.curve, starts);
   for (const Metric* metric : metrics)
     for (const Measurement& m : metric->measure(scheme, fit))
-      record.measurements.push_back({m.column, m.value, std::string(name(m.method)), unit_of(*metric, m.column)});
+      record.measurements.push_back({m.column, m.value, std::string(name(m.method)), m.unit});
   return record;
 }
 

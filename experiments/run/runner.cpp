@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/run/experiment.hpp"
+#include "experiments/run/house.hpp"
 #include "experiments/run/provenance.hpp"
 #include "experiments/run/workers.hpp"
 #include "reports/store/hdf5_store.hpp"
@@ -102,7 +103,7 @@ store::Results assemble(const Registry& registry, const std::vector<Prepared>& p
       record.cells.back().dataset = job.dataset;
       record.cells.back().label = job.label;
     }
-    if (complete) p.experiment->conclude(p.context, record);
+    if (complete) conclude(*p.experiment, p.context, record);
     results.experiments.push_back(std::move(record));
   }
   return results;

@@ -37,8 +37,10 @@ void add_scheme(Hash& hash, const Scheme& scheme) {
 
 void add_options(Hash& hash, const PointOptions& options) {
   hash.add(options.type ? name(*options.type) : "-");
-  for (const auto& value : {options.a, options.h, options.alpha, options.beta, options.tangent, options.curvature})
+  for (const PointNumber& number : point_numbers) {
+    const std::optional<double>& value = options.*number.member;
     value ? hash.add(*value) : hash.add("-");
+  }
 }
 
 void add_input(Hash& hash, const Input& input) {

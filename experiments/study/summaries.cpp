@@ -18,6 +18,10 @@ std::optional<double> find_in(const std::vector<store::MeasurementRecord>& measu
 
 }  // namespace
 
+std::optional<double> measured(const store::CurveRecord& curve, const Column& column) {
+  return find_in(curve.measurements, column.name);
+}
+
 std::optional<double> measured(const store::CurveRecord& curve, std::string_view column) {
   return find_in(curve.measurements, column);
 }

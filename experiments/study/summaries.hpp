@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "metrics/metric.hpp"
 #include "metrics/statistics.hpp"
 #include "reports/store/model.hpp"
 
@@ -14,8 +15,10 @@ namespace kappabench {
 /// Reading finished cells, and writing tables of them.
 
 /// The measurement, or nothing when the curve has none (no curve, or the metric was not asked for).
-[[nodiscard]] std::optional<double> measured(const store::CurveRecord& curve, std::string_view column);
-[[nodiscard]] std::optional<double> measured(const store::CellRecord& cell, std::string_view column);
+[[nodiscard]] std::optional<double> measured(const store::CurveRecord& curve, const Column& column);
+[[nodiscard]] std::optional<double> measured(const store::CurveRecord& curve,
+                                             std::string_view column);                                 // on its way out
+[[nodiscard]] std::optional<double> measured(const store::CellRecord& cell, std::string_view column);  // on its way out
 
 /// A counter of the report; 0 when the scheme does not have it.
 [[nodiscard]] long counted(const store::CurveRecord& curve, const std::string& counter);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "experiments/study/verdicts.hpp"
 
@@ -26,5 +28,13 @@ struct Tally {
   [[nodiscard]] std::string in_general() const { return verdict_in_general(agree, cases); }
   [[nodiscard]] std::string often() const { return verdict_often(agree, cases); }
 };
+
+/// How many of the numbers satisfy `holds`; without it, how many are not 0.
+template <class Holds = std::identity>
+[[nodiscard]] Tally tally_of(const std::vector<double>& numbers, Holds holds = {}) {
+  Tally tally;
+  for (const double number : numbers) tally.add(static_cast<bool>(holds(number)));
+  return tally;
+}
 
 }  // namespace kappabench::study

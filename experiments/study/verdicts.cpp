@@ -19,6 +19,10 @@ std::string share(double agree, double cases) {
   return fmt::format("{:.0f} of {:.0f} ({:.4g} %)", agree, cases, cases > 0.0 ? 100.0 * agree / cases : 0.0);
 }
 
+std::string verdict_for_one(bool there, bool holds) {
+  return !there ? "not reproduced" : holds ? "reproduced" : "contradicted";
+}
+
 std::string verdict_for_all(double counterexamples, double cases) {
   if (!(cases > 0.0)) return "not reproduced";
   return counterexamples > 0.0 ? "contradicted" : "reproduced";

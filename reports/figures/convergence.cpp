@@ -50,7 +50,7 @@ Panel draw_convergence(const store::PanelRecord& panel, const Context& context, 
   drawn.range.x = panel.log_x ? Interval{1.0, iterations * 1.1} : Interval{0.0, iterations * 1.03};
   drawn.range.y = {std::pow(10.0, std::floor(std::log10(lowest)) - 0.2),
                    std::pow(10.0, std::ceil(std::log10(highest)) + 0.2)};
-  drawn.setup = {fmt::format("set xlabel {}", quoted(panel.log_x ? "iteration + 1" : "iteration")),
+  drawn.setup = {fmt::format("set xlabel {}", text_in_gnuplot(panel.log_x ? "iteration + 1" : "iteration")),
                  "set ylabel 'residual'", "set logscale y", "set format y '10^{%T}'",
                  fmt::format("set ytics {:g}", std::pow(10.0, std::max(1.0, std::ceil(decades / 7.0))))};
   if (panel.log_x) drawn.setup.emplace_back("set logscale x");

@@ -127,13 +127,14 @@ std::string panel_commands(const Panel& panel, const Layout& layout, std::size_t
       "  set bmargin at screen {:.5f}\n  set tmargin at screen {:.5f}\n",
       x(box.x), x(box.x + box.width), y(box.y), y(box.y + box.height));
   if (!panel.title.empty()) {
-    text += fmt::format("  set label {} at screen {:.5f}, screen {:.5f} center noenhanced\n", quoted(panel.title),
-                        x(box.x + box.width / 2), y(slot.y + slot.height - title_height / 2));
+    text +=
+        fmt::format("  set label {} at screen {:.5f}, screen {:.5f} center noenhanced\n", text_in_gnuplot(panel.title),
+                    x(box.x + box.width / 2), y(slot.y + slot.height - title_height / 2));
   }
   if (!panel.note.empty()) {
     text +=
         fmt::format("  set label {} at screen {:.5f}, screen {:.5f} center noenhanced font ',{}' tc rgb '#606060'\n",
-                    quoted(panel.note), x(box.x + box.width / 2), y(slot.y + note_height / 2), font_size - 3);
+                    text_in_gnuplot(panel.note), x(box.x + box.width / 2), y(slot.y + note_height / 2), font_size - 3);
   }
   if (panel.plane) {
     text += "  unset tics\n";
@@ -171,8 +172,8 @@ std::string legend_commands(const std::vector<LegendEntry>& legend, const Layout
       text += fmt::format("  set label '' at screen {:.5f}, screen {:.5f} point {}\n", (x + 19) / layout.width, height,
                           legend[i].point);
     }
-    text += fmt::format("  set label {} at screen {:.5f}, screen {:.5f} left noenhanced\n", quoted(legend[i].text),
-                        (x + 46) / layout.width, height);
+    text += fmt::format("  set label {} at screen {:.5f}, screen {:.5f} left noenhanced\n",
+                        text_in_gnuplot(legend[i].text), (x + 46) / layout.width, height);
   }
   return text + "  plot -1 notitle\n";
 }
@@ -222,7 +223,7 @@ FigureFiles draw_figure(const store::FigureRecord& figure, const store::Experime
       "  set output {}.'.'.format\n"
       "  set multiplot\n",
       one_line(experiment.id + "/" + figure.id), one_line(figure.title), stem, width, height, font_size, 2 * width,
-      2 * height, font_size, quoted(stem));
+      2 * height, font_size, text_in_gnuplot(stem));
   for (std::size_t i = 0; i < panels.size(); ++i) files.script += panel_commands(panels[i], layout, i);
   files.script += legend_commands(legend, layout);
   files.script += "  unset multiplot\n  unset output\n}\n";

@@ -118,7 +118,7 @@ void name_places(Panel& drawn, const Words& names) {
   std::string tics;
   std::size_t longest = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted(names[i]), i + 1);
+    tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", text_in_gnuplot(names[i]), i + 1);
     longest = std::max(longest, names[i].size());
   }
   const bool crowded = longest * names.size() > 36;
@@ -213,8 +213,9 @@ Panel draw_graph(const PanelRecord& panel, const Context& context, DataFile& dat
 
   const std::string y_head = panel.y.size() == 1 ? head_of(column_of(table, panel.y.front(), panel, context)) : "";
   drawn.setup = {
-      fmt::format("set xlabel {} noenhanced", quoted(panel.x_label.empty() ? head_of(x_column) : panel.x_label)),
-      fmt::format("set ylabel {} noenhanced", quoted(panel.y_label.empty() ? y_head : panel.y_label))};
+      fmt::format("set xlabel {} noenhanced",
+                  text_in_gnuplot(panel.x_label.empty() ? head_of(x_column) : panel.x_label)),
+      fmt::format("set ylabel {} noenhanced", text_in_gnuplot(panel.y_label.empty() ? y_head : panel.y_label))};
   drawn.range = {axis_range(lines.all_x, log_x), axis_range(lines.all_y, panel.log_y)};
   if (!x.names.empty()) name_places(drawn, x.names);
   if (x.names.empty()) set_axis(drawn, "x", log_x, drawn.range.x);

@@ -42,7 +42,7 @@ void Rows::gap() { gap_ = true; }
 
 std::string DataFile::add(std::string_view comment, const Rows& rows) {
   text_ += fmt::format("{}# {}\n{}", blocks_ > 0 ? "\n\n" : "", comment, rows.text());
-  return fmt::format("{} index {}", quoted(name_), blocks_++);
+  return fmt::format("{} index {}", text_in_gnuplot(name_), blocks_++);
 }
 
 void plot(Panel& drawn, DataFile& data, std::string_view comment, const Rows& rows, std::string_view how) {
@@ -105,7 +105,7 @@ std::vector<std::string> enter_cells(const std::vector<const store::CellRecord*>
   return lines;
 }
 
-std::string quoted(std::string_view text) {
+std::string text_in_gnuplot(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') result += '\'';

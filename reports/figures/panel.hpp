@@ -112,7 +112,7 @@ std::vector<std::string> enter_cells(const std::vector<const store::CellRecord*>
                                      Panel& drawn);
 
 /// Single-quoted for gnuplot, on one line.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string text_in_gnuplot(std::string_view text);
 [[nodiscard]] std::string lighter(const std::string& colour, double part_white);
 [[nodiscard]] Interval padded(Interval range, double part);
 /// Smallest interval around the finite values, or nothing.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,25 @@ struct PointOptions {
 
   [[nodiscard]] bool operator==(const PointOptions&) const = default;
 };
+
+/// A number of PointOptions: its name in files, and the value of one unit of files, where angles are in degrees.
+struct PointNumber {
+  std::string_view name;
+  std::optional<double> PointOptions::*member;
+  double file_unit = 1.0;
+};
+
+/// All of them: who reads, writes or compares point options goes through this list (and `type`).
+inline constexpr std::array<PointNumber, 6> point_numbers{
+    {{"a", &PointOptions::a},
+     {"h", &PointOptions::h},
+     {"alpha", &PointOptions::alpha},
+     {"beta", &PointOptions::beta},
+     {"tangent", &PointOptions::tangent, std::numbers::pi / 180.0},
+     {"curvature", &PointOptions::curvature}}};
+static_assert(sizeof(PointOptions) ==
+                  sizeof(std::optional<PointType>) + point_numbers.size() * sizeof(std::optional<double>),
+              "a member of PointOptions is missing from the list");
 
 /// A sequence of points to interpolate, closed or open. `ids` are stable names of the points: they
 /// survive insertion and erasure of others. `options` is empty (nobody said anything) or one for each point.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "schemes/curve/root_isolation.hpp"
 #include "schemes/curve/segment.hpp"
+#include "schemes/numerics/root_isolation.hpp"
 
 namespace kappabench {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "schemes/curve/binary_form.hpp"
+#include "schemes/numerics/binary_form.hpp"
 
 namespace kappabench {
 

@@ -157,9 +157,8 @@ class Cascade {
     State state;
     if (!soften(softness, state)) return false;
     double exact_at = try_exact_at;
-    Continuation continuation(system_);
     solution_.effort.newton +=
-        continuation.follow(state, softness, most_arc_steps, [&](const State& at, double reached) {
+        follow_path(system_, state, softness, most_arc_steps, [&](const State& at, double reached) {
           record(at);
           if (reached > exact_at) return false;
           exact_at = full_step * reached;

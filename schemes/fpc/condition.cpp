@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "schemes/curve/block_tridiagonal.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::fpc {
 namespace {

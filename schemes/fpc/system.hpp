@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "schemes/curve/block_tridiagonal.hpp"
 #include "schemes/fpc/chain.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::fpc {
 

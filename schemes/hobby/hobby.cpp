@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "schemes/curve/block_tridiagonal.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/spans.hpp"
 

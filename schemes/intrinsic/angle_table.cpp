@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -35,14 +35,13 @@ AngleTable angle_table(const BSplineBasis& basis, int panels) {
   Eigen::RowVectorXd before = Eigen::RowVectorXd::Zero(basis.size());
   Eigen::Index node = 0;
   for (const KnotSpan& span : spans) {
-    for (int k = 0; k < panels; ++k)
-      for_gauss_nodes<gauss_points>(static_cast<double>(k) / panels, 1.0 / panels, [&](double v, double weight) {
-        table.weights[node] = weight * span.width();
-        table.integrals.row(node) = before;
-        table.integrals.row(node).segment(span.first, n + 1) +=
-            span.width() * integrated_bernstein(n, v) * span.to_bernstein;
-        ++node;
-      });
+    for_composite_gauss_nodes<gauss_points>(panels, [&](double v, double weight) {
+      table.weights[node] = weight * span.width();
+      table.integrals.row(node) = before;
+      table.integrals.row(node).segment(span.first, n + 1) +=
+          span.width() * integrated_bernstein(n, v) * span.to_bernstein;
+      ++node;
+    });
     before.segment(span.first, n + 1) += span.width() * integrated_bernstein(n, 1.0) * span.to_bernstein;
   }
   table.totals = before.transpose();

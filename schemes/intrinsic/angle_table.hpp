@@ -4,7 +4,7 @@
 #include <array>
 
 #include "schemes/intrinsic/controls.hpp"
-#include "schemes/segments/bspline.hpp"
+#include "schemes/numerics/bspline.hpp"
 
 namespace kappabench::intrinsic {
 

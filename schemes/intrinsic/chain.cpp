@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "schemes/intrinsic/fixed_knots.hpp"
-#include "schemes/segments/bracketed_newton.hpp"
+#include "schemes/numerics/bracketed_newton.hpp"
 
 namespace kappabench::intrinsic {
 

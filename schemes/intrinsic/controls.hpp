@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "schemes/segments/bspline.hpp"
+#include "schemes/numerics/bspline.hpp"
 
 namespace kappabench::intrinsic {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "schemes/intrinsic/newton.hpp"
+#include "schemes/numerics/damped_newton.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -102,7 +102,7 @@ Solved FixedKnots::solve_free(const RuleTable& rule, const StandardData& data, c
       const bool converged = refine(value, s);
       return NewtonResult{{value, 0.0, 0.0}, solved.residual, 0, converged};
     };
-    const NewtonResult followed = follow(at_share, Eigen::Vector3d::Zero(), 0.25, 1e-5);
+    const NewtonResult followed = follow_solution(at_share, Eigen::Vector3d::Zero(), 0.25, 1e-5);
     x = followed.x.x();
     solved.converged = followed.converged;
   }
@@ -111,8 +111,8 @@ Solved FixedKnots::solve_free(const RuleTable& rule, const StandardData& data, c
   return solved;
 }
 
-Equations fixed_equations(const RuleTable& rule, const StandardData& data, double share,
-                          const Eigen::Vector3d& unknowns) {
+ThreeEquations fixed_equations(const RuleTable& rule, const StandardData& data, double share,
+                               const Eigen::Vector3d& unknowns) {
   const double x = unknowns[0], y = unknowns[1], length = std::exp(unknowns[2]);
   double sine = 0.0, cosine = 0.0;
   Eigen::Vector3d sines = Eigen::Vector3d::Zero(), cosines = Eigen::Vector3d::Zero();
@@ -127,7 +127,7 @@ Equations fixed_equations(const RuleTable& rule, const StandardData& data, doubl
     cosines += c * by;
   }
   const double turning = length * (x * rule.first_total + y * rule.last_total + share * rule.fixed_total);
-  Equations e;
+  ThreeEquations e;
   e.value << turning - share * data.turning, length * sine, length * cosine - 1.0;
   e.jacobian.row(0) << length * rule.first_total, length * rule.last_total, turning;
   e.jacobian.row(1) = length * (cosines + Eigen::Vector3d(0.0, 0.0, sine)).transpose();
@@ -141,14 +141,14 @@ Solved FixedKnots::solve_fixed(const RuleTable& rule, const StandardData& data, 
   const double least = tolerance * std::max(1.0, 0.25 * size);
   const auto solve_at = [&](double share, const Eigen::Vector3d& guess) {
     const auto equations = [&](const Eigen::Vector3d& u) { return fixed_equations(rule, data, share, u); };
-    return newton(equations, guess, {4.0 * size, 4.0 * size, 0.7}, least, 15);
+    return damped_newton(equations, guess, {4.0 * size, 4.0 * size, 0.7}, least, 15);
   };
   NewtonResult result =
       near ? solve_at(1.0, {near->x, near->y, std::log(near->length)}) : solve_at(1.0, {start[0], start[1], 0.0});
   if (!result.converged) {
     const int spent = result.iterations;
     // All that is given grows from zero, where the linearised problem is the problem.
-    result = follow(solve_at, Eigen::Vector3d::Zero(), 0.1, 1e-3);
+    result = follow_solution(solve_at, Eigen::Vector3d::Zero(), 0.1, 1e-3);
     result.iterations += spent;
   }
   return {result.x[0], result.x[1], std::exp(result.x[2]), result.iterations, result.residual, result.converged};

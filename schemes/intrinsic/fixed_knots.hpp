@@ -3,7 +3,7 @@
 #include "schemes/intrinsic/angle_table.hpp"
 #include "schemes/intrinsic/controls.hpp"
 #include "schemes/intrinsic/hermite_data.hpp"
-#include "schemes/intrinsic/newton.hpp"
+#include "schemes/numerics/damped_newton.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -52,8 +52,8 @@ class FixedKnots {
 
 /// The three equations where some control is fixed, by x, y and the logarithm of the length, with the data's angles and
 /// the fixed values times `share`: turning (radians), and the end against its place on the chord (across, along).
-[[nodiscard]] Equations fixed_equations(const RuleTable& rule, const StandardData& data, double share,
-                                        const Eigen::Vector3d& unknowns);
+[[nodiscard]] ThreeEquations fixed_equations(const RuleTable& rule, const StandardData& data, double share,
+                                             const Eigen::Vector3d& unknowns);
 
 /// The G1 clothoid of the data's angles, curvature linear from x to y: its table is set up once.
 [[nodiscard]] Solved g1_clothoid(const StandardData& data);

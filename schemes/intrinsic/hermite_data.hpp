@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "schemes/curve/exact_form.hpp"
-#include "schemes/segments/bspline.hpp"
+#include "schemes/numerics/bspline.hpp"
 
 namespace kappabench::intrinsic {
 

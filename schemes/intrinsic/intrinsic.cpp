@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "schemes/intrinsic/sine_cosine.hpp"
+#include "schemes/numerics/sine_cosine.hpp"
 #include "schemes/segments/intrinsic.hpp"
 #include "schemes/segments/spans.hpp"
 #include "schemes/segments/three_point_arcs.hpp"

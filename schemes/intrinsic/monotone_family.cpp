@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "schemes/intrinsic/fixed_knots.hpp"
-#include "schemes/intrinsic/newton.hpp"
 #include "schemes/intrinsic/viable_region.hpp"
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/damped_newton.hpp"
+#include "schemes/numerics/gauss.hpp"
+#include "schemes/numerics/logistic.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -23,25 +24,6 @@ constexpr std::size_t spans = 5;
 
 /// Value and derivatives by log_length, y, z.
 using Dual = ceres::Jet<double, 3>;
-
-double scalar(double x) { return x; }
-double scalar(const Dual& x) { return x.a; }
-
-/// 1 / (1 + exp(-x)), with full relative precision on both sides.
-template <class T>
-T logistic(const T& x) {
-  using std::exp;
-  if (scalar(x) >= 0.0) return 1.0 / (1.0 + exp(-x));
-  const T e = exp(x);
-  return e / (1.0 + e);
-}
-
-/// log(1 + exp(x)).
-template <class T>
-T softplus(const T& x) {
-  using std::exp, std::log1p;
-  return scalar(x) > 0.0 ? x + log1p(exp(-x)) : log1p(exp(x));
-}
 
 /// A number in [0, 1] and what it lacks to 1, each with full relative precision.
 template <class T>
@@ -161,9 +143,9 @@ std::array<T, 3> equations_of(const T& log_length, const Shape<T>& shape, const 
                     sum);
     };
     double turning = 0.0;
-    for (std::size_t i = 0; i <= degree; ++i) turning += std::abs(scalar(theta[i + 1]) - scalar(theta[i]));
+    for (std::size_t i = 0; i <= degree; ++i) turning += std::abs(theta[i + 1].a - theta[i].a);
     const int panels = 1 + static_cast<int>(std::min(0.4 * turning, 1e3));
-    for (int k = 0; k < panels; ++k) for_gauss_nodes<16>(static_cast<double>(k) / panels, 1.0 / panels, add);
+    for_composite_gauss_nodes<16>(panels, add);
     across += shape.width[j] * sum.sine;
     along += shape.width[j] * sum.cosine;
   }
@@ -236,9 +218,9 @@ class Continuation {
       const bool arrived = to_data && s == 1.0;
       const StandardData goal = arrived ? data_ : at_place(data_, place);
       const auto equations = [&](const Eigen::Vector3d& u) { return member_equations({u[0], u[1], u[2]}, goal); };
-      return newton(equations, guess, {0.7, 1.5, 1.5}, arrived ? exact_ : on_the_way, 8);
+      return damped_newton(equations, guess, {0.7, 1.5, 1.5}, arrived ? exact_ : on_the_way, 8);
     };
-    return follow(solve_at, x, std::min(1.0, 3.0 / std::max(way, 1e-300)), 1e-4);
+    return follow_solution(solve_at, x, std::min(1.0, 3.0 / std::max(way, 1e-300)), 1e-4);
   }
 
   StandardData data_;
@@ -275,10 +257,10 @@ StandardCurve member_curve(const FamilyMember& member, double start, double end)
   return curve;
 }
 
-Equations member_equations(const FamilyMember& member, const StandardData& data) {
+ThreeEquations member_equations(const FamilyMember& member, const StandardData& data) {
   const Dual log_length(member.log_length, 0), y(member.y, 1), z(member.z, 2);
   const std::array<Dual, 3> e = equations_of(log_length, shape_of(y, z), data);
-  Equations equations;
+  ThreeEquations equations;
   for (int i = 0; i < 3; ++i) {
     equations.value[i] = e[static_cast<std::size_t>(i)].a;
     equations.jacobian.row(i) = e[static_cast<std::size_t>(i)].v.transpose();

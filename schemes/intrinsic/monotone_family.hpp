@@ -1,7 +1,7 @@
 #pragma once
 
 #include "schemes/intrinsic/hermite_data.hpp"
-#include "schemes/intrinsic/newton.hpp"
+#include "schemes/numerics/damped_newton.hpp"
 
 namespace kappabench::intrinsic {
 
@@ -27,7 +27,7 @@ struct FamilyMember {
 
 /// The three equations of a member and data, by log_length, y, z: turning (radians), and where the end is against its
 /// place on the chord (across, along).
-[[nodiscard]] Equations member_equations(const FamilyMember& member, const StandardData& data);
+[[nodiscard]] ThreeEquations member_equations(const FamilyMember& member, const StandardData& data);
 
 struct MonotoneSolution {
   StandardCurve curve;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "schemes/intrinsic/hermite_data.hpp"
-#include "schemes/intrinsic/sine_cosine.hpp"
+#include "schemes/numerics/sine_cosine.hpp"
 
 namespace kappabench::intrinsic {
 

@@ -148,14 +148,13 @@ class Cascade {
     if (!run_newton(state, soft, 4 * corrector_steps, 1e-6).converged) return false;
     bool solved = false;
     double exact_at = try_exact_at;
-    Continuation continuation(system_);
-    solution_.effort.newton += continuation.follow(state, soft, attempt.down, most_fold_steps,
-                                                   [&](const State& at, const Values& values, double reached) {
-                                                     record(at);
-                                                     if (reached > exact_at) return false;
-                                                     exact_at = 0.1 * reached;
-                                                     return solved = finish(at, values, false);
-                                                   });
+    solution_.effort.newton += follow_path(system_, state, soft, attempt.down, most_fold_steps,
+                                           [&](const State& at, const Values& values, double reached) {
+                                             record(at);
+                                             if (reached > exact_at) return false;
+                                             exact_at = 0.1 * reached;
+                                             return solved = finish(at, values, false);
+                                           });
     return solved;
   }
 

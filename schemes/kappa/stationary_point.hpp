@@ -1,36 +1,12 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "schemes/curve/vec.hpp"
 #include "schemes/kappa/basis.hpp"
+#include "schemes/numerics/bracketed_newton.hpp"
 
 namespace kappabench::kappa {
-
-/// A function value and its derivative.
-struct Slope {
-  double value, derivative;
-};
-
-/// The root of a function that is positive at `low` and negative at `high`, to the last digits: Newton kept in a
-/// shrinking bracket, bisection where Newton leaves it. `f(t)` returns a Slope. Always returns a number in the
-/// bracket.
-template <class Function>
-[[nodiscard]] double falling_root(const Function& f, double low, double high, double guess) {
-  double t = guess > low && guess < high ? guess : 0.5 * (low + high);
-  for (int i = 0; i < 100; ++i) {
-    const Slope at = f(t);
-    if (at.value == 0.0) return t;
-    (at.value > 0.0 ? low : high) = t;
-    double next = t - at.value / at.derivative;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - t);
-    t = next;
-    if (step <= 2.0 * std::numeric_limits<double>::epsilon() * t) break;
-  }
-  return t;
-}
 
 /// Which vectors a velocity is written in.
 enum class Velocity {
@@ -54,7 +30,7 @@ class StationaryEquation {
   StationaryEquation(const Basis& basis, const Vec2& a, const Vec2& b, double softness)
       : basis_(basis), aa_(a.squaredNorm()), ab_(a.dot(b)), bb_(b.squaredNorm()), softness_(softness) {}
 
-  [[nodiscard]] Slope operator()(double t) const {
+  [[nodiscard]] ValueAndSlope operator()(double t) const {
     const Pair v = pair(basis_, t);
     const Factor n = basis_.factor(t);
     const double vv = product(v.first, v.second, v.first, v.second);
@@ -73,7 +49,7 @@ class StationaryEquation {
   [[nodiscard]] double inner_root() const {
     // Exact for a = 2/3, `eliminated` and A orthogonal to B.
     const double a = std::cbrt(aa_), b = std::cbrt(bb_);
-    return falling_root(*this, 0.0, Basis::last, Basis::last * a / (a + b));
+    return falling_root_in(*this, 0.0, Basis::last, Basis::last * a / (a + b), Bisect::where_newton_leaves);
   }
 
   /// Where |kappa| peaks on the closed segment: 0 or `last` where it falls or rises throughout.

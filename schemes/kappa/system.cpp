@@ -5,21 +5,12 @@
 #include <limits>
 
 #include "schemes/kappa/stationary_point.hpp"
+#include "schemes/numerics/logistic.hpp"
 
 namespace kappabench::kappa {
 namespace {
 
 using Mat2 = Eigen::Matrix2d;
-
-/// log(1 + exp(x)) without overflow.
-double softplus(double x) { return x > 0.0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x)); }
-
-/// 1 / (1 + exp(-x)).
-double logistic(double x) {
-  if (x >= 0.0) return 1.0 / (1.0 + std::exp(-x));
-  const double y = std::exp(x);
-  return y / (1.0 + y);
-}
 
 /// One segment's interpolation equation, in the units of the drawing.
 struct Interpolation {
@@ -69,7 +60,7 @@ class SegmentRow {
       const Pair l = basis_.legs(t);
       const Vec2 velocity = l.first * r + l.second * s;
       const auto g = equation.gradient(t, r, s);
-      const double slope = equation(t).derivative;
+      const double slope = equation(t).slope;
       d.by_x += velocity * (g.a / slope).transpose();  // r = e - X
       d.by_y -= velocity * (g.b / slope).transpose();  // s = Y - e
       d.by_e -= velocity * ((g.a - g.b) / slope).transpose();
@@ -77,7 +68,7 @@ class SegmentRow {
     }
     const Eliminated equation(basis_, q.x, q.y, softness_);
     const auto g = equation.gradient(t, q.x, q.y);
-    const double slope = equation(t).derivative, w = b.bubble;
+    const double slope = equation(t).slope, w = b.bubble;
     if (form_ == Form::divided) {
       // d/dt of (b_0 X + b_2 Y) / b_1 is V / (k w^2).
       const Pair p = basis_.pencil(t);

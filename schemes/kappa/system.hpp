@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "schemes/curve/block_tridiagonal.hpp"
 #include "schemes/kappa/basis.hpp"
 #include "schemes/kappa/chain.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::kappa {
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "schemes/curve/block_tridiagonal.hpp"
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::pkappa {
 

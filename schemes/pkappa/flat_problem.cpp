@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
 
 namespace kappabench::pkappa {
 namespace {

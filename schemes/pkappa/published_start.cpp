@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
 
 namespace kappabench::pkappa {
 

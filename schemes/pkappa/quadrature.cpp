@@ -1,9 +1,9 @@
 #include "schemes/pkappa/quadrature.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <utility>
 
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench::pkappa {
 namespace {
@@ -18,23 +18,13 @@ BasisTable<Degree> tabulate(const Eigen::ArrayXd& nodes) {
   return table;
 }
 
-constexpr int gauss_nodes = 32;
-
-/// Boost keeps the nodes of [-1, 1] that are positive, ascending.
-QuadratureRule composite_gauss(int panels) {
-  using Gauss = boost::math::quadrature::gauss<double, gauss_nodes>;
-  Eigen::ArrayXd nodes(panels * gauss_nodes), weights(panels * gauss_nodes);
-  constexpr int half = gauss_nodes / 2;
-  for (int panel = 0; panel < panels; ++panel) {
-    for (int i = 0; i < half; ++i) {
-      const double offset = 0.5 * Gauss::abscissa()[static_cast<std::size_t>(i)] / panels;
-      const double weight = 0.5 * Gauss::weights()[static_cast<std::size_t>(i)] / panels;
-      const double centre = (panel + 0.5) / panels;
-      const int above = panel * gauss_nodes + half + i, below = panel * gauss_nodes + half - 1 - i;
-      nodes[above] = centre + offset;
-      nodes[below] = centre - offset;
-      weights[above] = weights[below] = weight;
-    }
+QuadratureRule gauss_rule_of(int panels) {
+  const std::vector<GaussNode> table = composite_gauss<32>(panels);
+  const auto count = static_cast<Eigen::Index>(table.size());
+  Eigen::ArrayXd nodes(count), weights(count);
+  for (Eigen::Index q = 0; q < count; ++q) {
+    nodes[q] = table[static_cast<std::size_t>(q)].at;
+    weights[q] = table[static_cast<std::size_t>(q)].weight;
   }
   return {nodes, weights};
 }
@@ -55,17 +45,17 @@ QuadratureRule::QuadratureRule(Eigen::ArrayXd nodes, const Eigen::ArrayXd& weigh
       quintic_(tabulate<5>(nodes_)) {}
 
 const QuadratureRule& gauss_rule() {
-  static const QuadratureRule rule = composite_gauss(1);
+  static const QuadratureRule rule = gauss_rule_of(1);
   return rule;
 }
 
 const QuadratureRule& fine_gauss_rule() {
-  static const QuadratureRule rule = composite_gauss(4);
+  static const QuadratureRule rule = gauss_rule_of(4);
   return rule;
 }
 
 const QuadratureRule& finest_gauss_rule() {
-  static const QuadratureRule rule = composite_gauss(8);
+  static const QuadratureRule rule = gauss_rule_of(8);
   return rule;
 }
 

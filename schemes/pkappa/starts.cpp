@@ -1,7 +1,7 @@
 #include "schemes/pkappa/starts.hpp"
 
-#include "schemes/curve/block_tridiagonal.hpp"
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::pkappa {
 

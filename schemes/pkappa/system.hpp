@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "schemes/curve/block_tridiagonal.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 #include "schemes/pkappa/chain.hpp"
 #include "schemes/pkappa/segment_energy.hpp"
 

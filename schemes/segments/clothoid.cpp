@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "schemes/segments/fresnel.hpp"
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/fresnel.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench {
 
@@ -49,13 +49,12 @@ Complex clothoid_integral(double b, double a) {
 std::array<Complex, 3> clothoid_moments(double heading, double b, double a) {
   const int panels = 1 + static_cast<int>((std::abs(b) + 0.5 * std::abs(a)) / phase_of_panel);
   std::array<Complex, 3> moments{};
-  for (int k = 0; k < panels; ++k)
-    for_gauss_nodes<gauss_points>(static_cast<double>(k) / panels, 1.0 / panels, [&](double u, double weight) {
-      const Complex value = weight * unit(heading + (b + 0.5 * a * u) * u);
-      moments[0] += value;
-      moments[1] += u * value;
-      moments[2] += u * u * value;
-    });
+  for_composite_gauss_nodes<gauss_points>(panels, [&](double u, double weight) {
+    const Complex value = weight * unit(heading + (b + 0.5 * a * u) * u);
+    moments[0] += value;
+    moments[1] += u * value;
+    moments[2] += u * u * value;
+  });
   return moments;
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "schemes/segments/gauss.hpp"
+#include "schemes/numerics/gauss.hpp"
 
 namespace kappabench {
 

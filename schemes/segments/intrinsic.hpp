@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "schemes/curve/segment.hpp"
-#include "schemes/segments/bspline.hpp"
+#include "schemes/numerics/bspline.hpp"
 
 namespace kappabench {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "schemes/segments/bracketed_newton.hpp"
+#include "schemes/numerics/bracketed_newton.hpp"
 #include "schemes/segments/clothoid.hpp"
 #include "schemes/segments/elliptic_arc.hpp"
 #include "schemes/segments/polynomial.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "schemes/segments/bracketed_newton.hpp"
+#include "schemes/numerics/bracketed_newton.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/reparametrized.hpp"
 

@@ -16,7 +16,7 @@ using namespace kappabench::test;
 namespace {
 
 /// Points of the longest curves to look at.
-constexpr std::size_t most_points = sanitized ? 16 : 100000;
+constexpr std::size_t most_points = sanitized ? 12 : 100000;
 
 /// Calls `check` for every scheme at its defaults and every curve of the built-in drawings.
 template <class Check>

@@ -27,7 +27,7 @@ store::ExperimentRecord with(store::ExperimentRecord record, const std::string& 
 }
 
 void check_claims_are_printed(const store::ExperimentRecord& record) {
-  const Paper paper = read_paper(papers_folder() / "pkappa-2024-wang.toml");
+  const Paper& paper = printed_paper("pkappa-2024-wang");
   std::set<std::string> printed;
   for (const PrintedClaim& claim : paper.claims) printed.insert(claim.id);
   for (const store::ClaimRecord& claim : record.claims) {

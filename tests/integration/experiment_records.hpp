@@ -12,6 +12,7 @@
 #include "experiments/program/scratch_folder.hpp"
 #include "experiments/run/cell.hpp"
 #include "experiments/run/experiment.hpp"
+#include "experiments/run/house.hpp"
 #include "experiments/run/runner.hpp"
 #include "reports/paper.hpp"
 #include "tests/catch.hpp"
@@ -57,7 +58,7 @@ inline store::ExperimentRecord concluded(store::ExperimentRecord record,
   record.tables.clear();
   record.figures.clear();
   record.claims.clear();
-  find_experiment(record.id).conclude(context, record);
+  conclude(find_experiment(record.id), context, record);
   return record;
 }
 
@@ -132,7 +133,7 @@ inline void check_filled(const store::ExperimentRecord& record) {
 
 /// Every claim of reports/paper/<paper>.toml is judged by exactly one experiment, and none that is not there.
 inline void check_each_claim_is_judged_once(const std::string& paper, const std::multiset<std::string>& judged) {
-  const Paper printed = read_paper(papers_folder() / (paper + ".toml"));
+  const Paper& printed = printed_paper(paper);
   for (const PrintedClaim& claim : printed.claims) {
     INFO(claim.id);
     CHECK(judged.count(claim.id) == 1);

@@ -126,10 +126,9 @@ TEST_CASE("every part of what a cell uses is in its key") {
   CHECK(changed_by_curve([](Input& in) { in.points[1].y() = 1e-300; }));
   CHECK(changed_by_curve([](Input& in) { std::swap(in.points[0], in.points[1]); }));
   CHECK(changed_by_curve([](Input& in) { in.options[1].type = PointType::cusp; }));
-  for (const auto option : {&PointOptions::a, &PointOptions::h, &PointOptions::alpha, &PointOptions::beta,
-                            &PointOptions::tangent, &PointOptions::curvature}) {
-    CHECK(changed_by_curve([option](Input& in) { in.options[1].*option = 0.5; }));
-    CHECK(changed_by_curve([option](Input& in) { in.options[2].*option = 0.5; }));
+  for (const PointNumber& number : point_numbers) {
+    CHECK(changed_by_curve([&](Input& in) { in.options[1].*number.member = 0.5; }));
+    CHECK(changed_by_curve([&](Input& in) { in.options[2].*number.member = 0.5; }));
   }
   // A title is not what a result depends on.
   CHECK_FALSE(changed_by([](Uses& u) { u.drawings[0].title = "Two"; }));

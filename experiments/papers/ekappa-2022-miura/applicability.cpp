@@ -266,7 +266,7 @@ store::ClaimRecord identity_claim(std::string id, const store::CellRecord& cell,
 
 /// Eq. (43) against the rows that the paper prints.
 std::optional<store::ClaimRecord> triangle_claim(const store::CellRecord& cell) {
-  const Paper paper = read_paper(papers_folder() / fmt::format("{}.toml", paper_id));
+  const Paper& paper = printed_paper(paper_id);
   const auto table = std::ranges::find(paper.tables, "triangle", &PrintedTable::id);
   if (table == paper.tables.end()) return std::nullopt;
   const std::vector<double> ours = all(cell, "triangle");

@@ -19,7 +19,7 @@
 
 namespace kappabench {
 
-using namespace ekappa;
+using namespace miura;
 using namespace study;
 
 namespace {

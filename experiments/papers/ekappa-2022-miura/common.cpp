@@ -13,7 +13,7 @@
 #include "experiments/study/verdicts.hpp"
 #include "schemes/curve/jet.hpp"
 
-namespace kappabench::ekappa {
+namespace kappabench::miura {
 
 SchemePtr cubic(const Registry& registry, double a) { return registry.create("ekappa", {{"a", a}}); }
 SchemePtr trigonometric(const Registry& registry, double a) { return registry.create("ekappa-trig", {{"a", a}}); }
@@ -36,7 +36,7 @@ void add_shape_jobs(std::vector<CellJob>& jobs, const Context& context, const Dr
   for (const Shape& shape : figure_shapes) {
     const bool first = shape.a == figure_shapes[0].a;
     const SchemePtr scheme = first ? context.registry.create("kappa") : cubic(context.registry, shape.a);
-    jobs.push_back(study::drawn_job(drawing, scheme, label_of_shape(shape)));
+    jobs.push_back(fit_job(drawing, scheme, {}, label_of_shape(shape)));
   }
 }
 
@@ -72,4 +72,4 @@ store::ClaimRecord claim(std::string_view id, std::string verdict, std::string o
   return study::claim(paper, id, std::move(verdict), std::move(ours), std::move(evidence));
 }
 
-}  // namespace kappabench::ekappa
+}  // namespace kappabench::miura

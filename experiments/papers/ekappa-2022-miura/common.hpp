@@ -8,7 +8,7 @@
 
 #include "experiments/run/experiment.hpp"
 
-namespace kappabench::ekappa {
+namespace kappabench::miura {
 
 /// What the experiments on the figures of Miura et al. 2022 share, besides what those on every paper do.
 
@@ -49,4 +49,4 @@ void add_shape_jobs(std::vector<CellJob>& jobs, const Context& context, const Dr
 [[nodiscard]] store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours,
                                        std::string evidence);
 
-}  // namespace kappabench::ekappa
+}  // namespace kappabench::miura

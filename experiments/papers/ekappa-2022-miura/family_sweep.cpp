@@ -3,18 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "datasets/datasets.hpp"
-#include "experiments/study/study.hpp"
+#include "datasets/random_points.hpp"
+#include "experiments/study/jobs.hpp"
+#include "experiments/study/selection.hpp"
 #include "schemes/kappa/marks.hpp"
 
-namespace kappabench {
+namespace kappabench::miura {
 
 namespace {
+
+using study::Notes;
+
+const study::Key sharpness{"a"};
 
 /// Raise when a sweep counts differently.
 constexpr int sweep_version = 1;
@@ -39,73 +47,73 @@ AtPoint curvature_across(const Curve& curve, const Node& node, double step) {
                slope_of_magnitude(curve.segment(curve.next(before)), step));
 }
 
-struct Tally {
-  double curves = 0, converged = 0, unsupported = 0, straight = 0;
-  double points = 0, pinned = 0, at_inflection = 0, minima = 0;
-  double peaks = 0, valleys = 0, neither = 0, pinned_peaks = 0;
+/// Counts of one curve or of many.
+using Counts = std::map<std::string, study::Reading>;
 
-  Tally& operator+=(const Tally& other);
-};
-
-Tally& Tally::operator+=(const Tally& other) {
-  constexpr std::array members{&Tally::curves, &Tally::converged, &Tally::unsupported,   &Tally::straight,
-                               &Tally::points, &Tally::pinned,    &Tally::at_inflection, &Tally::minima,
-                               &Tally::peaks,  &Tally::valleys,   &Tally::neither,       &Tally::pinned_peaks};
-  for (const auto member : members) this->*member += other.*member;
-  return *this;
+void count(Counts& counts, const study::Quantity& what, bool holds = true) {
+  counts.try_emplace(what.name, what(0)).first->second.value += holds ? 1.0 : 0.0;
 }
 
-void count_nodes(Tally& tally, const Input& input, const Curve& curve) {
+void count_nodes(Counts& counts, const Input& input, const Curve& curve) {
   for (const Node& node : curve.nodes()) {
     // The ends of an open curve have no segment of their own.
     if (!input.closed && (node.point == 0 || node.point == input.size() - 1)) continue;
-    ++tally.points;
-    tally.pinned += node.has(kappa::marks::pinned);
-    tally.at_inflection += node.has(kappa::marks::at_inflection);
-    tally.minima += node.has(kappa::marks::curvature_minimum);
+    count(counts, points);
+    count(counts, pinned, node.has(kappa::marks::pinned));
+    count(counts, at_inflection, node.has(kappa::marks::at_inflection));
+    count(counts, minima, node.has(kappa::marks::curvature_minimum));
     if (node.has(kappa::marks::at_inflection)) continue;
     if (node.has(kappa::marks::pinned)) {
-      tally.pinned_peaks += curvature_across(curve, node, 1e-3) == AtPoint::peak;
+      count(counts, pinned_peaks, curvature_across(curve, node, 1e-3) == AtPoint::peak);
       continue;
     }
     const AtPoint at = curvature_at(curve, node);
-    ++(at == AtPoint::peak ? tally.peaks : at == AtPoint::valley ? tally.valleys : tally.neither);
+    count(counts, at == AtPoint::peak ? peaks : at == AtPoint::valley ? valleys : neither);
   }
 }
 
-Tally count(const Scheme& scheme, const Input& input) {
+void count_curve(Counts& counts, const Scheme& scheme, const Input& input) {
   const Fit fit = scheme.fit(input);
-  Tally tally{.curves = 1};
-  tally.unsupported = fit.report.outcome == Outcome::unsupported_input;
-  tally.converged = fit.report.outcome == Outcome::converged;
-  if (tally.converged == 0) return tally;
-  tally.straight = !fit.report.counters.contains("pinned");
-  if (tally.straight == 0) count_nodes(tally, input, *fit.curve);
-  return tally;
+  const bool solved = fit.report.outcome == Outcome::converged;
+  const bool is_straight = solved && !fit.report.counters.contains("pinned");
+  count(counts, curves);
+  count(counts, unsupported, fit.report.outcome == Outcome::unsupported_input);
+  count(counts, converged, solved);
+  count(counts, straight, is_straight);
+  if (solved && !is_straight) count_nodes(counts, input, *fit.curve);
+}
+
+/// A row of all counts, zeros too.
+void put(Notes& notes, std::vector<study::KeyIs> keys, Counts counts) {
+  for (const auto* what : {&curves, &converged, &unsupported, &straight, &points, &pinned, &at_inflection, &minima,
+                           &peaks, &valleys, &neither, &pinned_peaks})
+    counts.try_emplace(what->name, (*what)(0));
+  std::vector<study::Reading> readings;
+  for (const auto& [name, reading] : counts) readings.push_back(reading);
+  notes.row(keys, readings);
 }
 
 double a_of(const Scheme& scheme) {
   return scheme.parameters().values().contains("a") ? scheme.parameters().real("a") : 2.0 / 3.0;
 }
 
-void record(store::CellRecord& cell, const Scheme& scheme, const Tally& tally) {
-  const auto add = [&](const char* column, double value) {
-    cell.measurements.push_back({column, value, "exact", "1"});
-  };
-  add("a", a_of(scheme));
-  add("curves", tally.curves);
-  add("converged", tally.converged);
-  add("unsupported", tally.unsupported);
-  add("straight", tally.straight);
-  add("points", tally.points);
-  add("pinned", tally.pinned);
-  add("at inflection", tally.at_inflection);
-  add("minima", tally.minima);
-  for (const auto& [column, value] : {std::pair{"peaks", tally.peaks},
-                                      {"valleys", tally.valleys},
-                                      {"neither", tally.neither},
-                                      {"pinned peaks", tally.pinned_peaks}})
-    cell.measurements.push_back({column, value, "sampled", "1"});
+void sweep(const Uses& uses, Notes& notes) {
+  const Scheme& scheme = *uses.schemes.front();
+  for (const Drawing& drawing : uses.drawings) {
+    Counts counts;
+    for (const Input& input : drawing.curves) count_curve(counts, scheme, input);
+    put(notes, {counted(drawing.id), sharpness(a_of(scheme))}, counts);
+  }
+}
+
+/// An open and a closed curve of a random family for each of the sizes, which may come several times.
+Drawing random_inputs(RandomKind kind, std::uint64_t seed, const std::vector<int>& sizes) {
+  Drawing inputs{.id = fmt::format("random {}", name(kind))};
+  std::uint64_t number = 0;
+  for (const int n : sizes)
+    for (const bool closed : {false, true})
+      inputs.curves.push_back(random_input(kind, n, 100003 * seed + number++, closed));
+  return inputs;
 }
 
 }  // namespace
@@ -116,38 +124,6 @@ AtPoint curvature_at(const Curve& curve, const Node& node, double sides) {
   return shape(slope_of_magnitude(segment, node.t - step), slope_of_magnitude(segment, node.t + step));
 }
 
-CellJob random_sweep_job(RandomKind kind, const SchemePtr& scheme, std::uint64_t seed, const std::vector<int>& sizes) {
-  const std::string what = fmt::format("sweep {}, seed {}, sizes {}", sweep_version, seed, fmt::join(sizes, " "));
-  return other_job(fmt::format("random {}", name(kind)), scheme, what, [=](store::CellRecord& cell) {
-    Tally sum;
-    std::uint64_t number = 0;
-    for (const int n : sizes)
-      for (const bool closed : {false, true})
-        sum += count(*scheme, random_input(kind, n, 100003 * seed + number++, closed));
-    record(cell, *scheme, sum);
-  });
-}
-
-CellJob drawings_sweep_job(std::string dataset, const std::vector<Drawing>& drawings, const SchemePtr& scheme) {
-  const std::string what = fmt::format("sweep {}, {}", sweep_version, study::contents_of(drawings));
-  return other_job(std::move(dataset), scheme, what, [drawings, scheme](store::CellRecord& cell) {
-    Tally sum;
-    std::vector<Tally> each;
-    for (const Drawing& drawing : drawings) {
-      Tally& tally = each.emplace_back();
-      for (const Input& input : drawing.curves) tally += count(*scheme, input);
-      sum += tally;
-    }
-    record(cell, *scheme, sum);
-    for (std::size_t i = 0; i < drawings.size(); ++i)
-      for (const auto& [column, value] : {std::pair{"points", each[i].points},
-                                          {"pinned", each[i].pinned},
-                                          {"at inflection", each[i].at_inflection},
-                                          {"minima", each[i].minima}})
-        cell.measurements.push_back({fmt::format("{} of {}", column, drawings[i].id), value, "exact", "1"});
-  });
-}
-
 std::vector<CellJob> sweep_jobs(const Context& context, const std::vector<SchemePtr>& schemes) {
   std::vector<std::pair<std::string, std::vector<Drawing>>> groups;
   if (context.datasets.empty())
@@ -155,14 +131,22 @@ std::vector<CellJob> sweep_jobs(const Context& context, const std::vector<Scheme
   for (const std::string& dataset : context.datasets)
     groups.emplace_back(dataset, study::without_options(open_drawings(dataset)));
   std::vector<CellJob> jobs;
+  const auto add = [&jobs](const SchemePtr& scheme, std::vector<Drawing> drawings, const std::string& dataset) {
+    jobs.push_back(study::numbers_job<sweep>(
+        {.work = "sweep", .version = sweep_version, .schemes = {scheme}, .drawings = std::move(drawings)}, dataset,
+        label_of(*scheme)));
+  };
   for (const SchemePtr& scheme : schemes) {
-    for (const auto& [dataset, drawings] : groups) jobs.push_back(drawings_sweep_job(dataset, drawings, scheme));
+    for (const auto& [dataset, drawings] : groups) add(scheme, drawings, dataset);
     if (!context.datasets.empty()) continue;
     // The trigonometric basis is slow where a small a leaves it without a solution.
     const std::vector<int> sizes = scheme->info().id == "ekappa-trig"
                                        ? std::vector{3, 3, 5, 5, 7, 7, 10, 10, 15, 15}
                                        : std::vector{3, 3, 5, 5, 7, 7, 10, 10, 15, 15, 22, 22, 33, 50};
-    for (const RandomKind kind : random_kinds()) jobs.push_back(random_sweep_job(kind, scheme, context.seed, sizes));
+    for (const RandomKind kind : random_kinds()) {
+      const Drawing inputs = random_inputs(kind, context.seed, sizes);
+      add(scheme, {inputs}, inputs.id);
+    }
   }
   return jobs;
 }
@@ -178,4 +162,28 @@ std::vector<SchemePtr> sharpness_ladder(const Context& context) {
   return schemes;
 }
 
-}  // namespace kappabench
+std::vector<Swept> sweeps(const study::Findings& found) {
+  std::vector<Swept> swept;
+  for (const store::CellRecord& cell : found.cells()) {
+    const study::Rows rows = found.rows().where({study::key::dataset(cell.dataset), study::key::label(cell.label)});
+    if (!rows.empty())
+      swept.push_back({cell.dataset, cell.scheme, std::get<double>((**rows.begin())[sharpness]), rows});
+  }
+  return swept;
+}
+
+std::string shares_by_a(const std::vector<Swept>& sweeps, double (*part)(const Swept&)) {
+  std::map<double, std::pair<double, double>> by_a;
+  for (const Swept& swept : sweeps) {
+    auto& [some, all] = by_a[swept.a];
+    some += part(swept);
+    all += swept[points];
+  }
+  std::string words;
+  for (const auto& [a, counts] : by_a)
+    words +=
+        fmt::format("{}{:.3g} % at a = {:.3g}", words.empty() ? "" : ", ", 100.0 * counts.first / counts.second, a);
+  return words;
+}
+
+}  // namespace kappabench::miura

@@ -20,7 +20,7 @@
 
 namespace kappabench {
 
-using namespace ekappa;
+using namespace miura;
 using namespace study;
 
 namespace {

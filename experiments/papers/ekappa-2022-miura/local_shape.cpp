@@ -23,7 +23,7 @@
 
 namespace kappabench {
 
-using namespace ekappa;
+using namespace miura;
 using namespace study;
 
 namespace {

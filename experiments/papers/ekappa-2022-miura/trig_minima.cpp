@@ -1,16 +1,15 @@
-#include "experiments/run/experiment.hpp"
-
+// Miura 2022, Sect. 4.1: is the stationary point of the trigonometric curvature a maximum of its magnitude?
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-
+#include "experiments/papers/ekappa-2022-miura/common.hpp"
 #include "experiments/papers/ekappa-2022-miura/family_sweep.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
 
 namespace kappabench {
-
 namespace {
+
+using namespace miura;
+using study::Findings, study::Panel, study::Table;
 
 constexpr std::string_view about =
     "The trigonometric curve passes each point where its curvature is stationary. The paper takes that for a local "
@@ -19,7 +18,7 @@ constexpr std::string_view about =
     "the points of converged curves are counted at which |curvature| has a minimum instead, as the scheme reports and "
     "as measured by the slope of |curvature| on both sides. The inputs are those of ekappa-pinned.";
 
-double value(const store::CellRecord& cell, std::string_view column) { return measured(cell, column).value_or(0.0); }
+// ---- what is measured: family_sweep.hpp
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<SchemePtr> schemes = sharpness_ladder(context);
@@ -27,76 +26,56 @@ std::vector<CellJob> jobs(const Context& context) {
   return sweep_jobs(context, schemes);
 }
 
-store::TableRecord minima_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("minima", "Points at a minimum of |curvature|, trigonometric basis",
-                       "Points of converged curves. 'minima': by the scheme's report; 'measured minima', 'measured "
-                       "peaks', 'neither': by the slope of |curvature| on both sides, for points that are not pinned.");
-  builder.words("family").numbers("a").counts("points").counts("minima").numbers("share minima");
-  builder.counts("measured minima").counts("measured peaks").counts("neither").counts("pinned").counts("at inflection");
-  for (const store::CellRecord& cell : record.cells)
-    builder.row({cell.dataset, value(cell, "a"), value(cell, "points"), value(cell, "minima"),
-                 value(cell, "minima") / value(cell, "points"), value(cell, "valleys"), value(cell, "peaks"),
-                 value(cell, "neither"), value(cell, "pinned"), value(cell, "at inflection")});
-  return builder.table();
+// ---- what follows
+
+Table minima_table(const Findings& found) {
+  Table table("minima", "Points at a minimum of |curvature|, trigonometric basis",
+              "Points of converged curves. 'minima': by the scheme's report; 'measured minima', 'measured peaks', "
+              "'neither': by the slope of |curvature| on both sides, for points that are not pinned.");
+  table.words("family").numbers("a").counts("points").counts("minima").numbers("share minima");
+  table.counts("measured minima").counts("measured peaks").counts("neither").counts("pinned").counts("at inflection");
+  for (const Swept& s : sweeps(found))
+    table.row({s.dataset, s.a, s[points], s[minima], s[minima] / s[points], s[valleys], s[peaks], s[neither], s[pinned],
+               s[at_inflection]});
+  return table;
 }
 
-/// Miura 2022, Section 4.1.
-std::optional<store::ClaimRecord> claim(const store::ExperimentRecord& record) {
-  double points = 0, peaks = 0, valleys = 0, pinned = 0, flagged = 0;
-  std::map<double, std::pair<double, double>> by_a;  // points, valleys
-  for (const store::CellRecord& cell : record.cells) {
-    points += value(cell, "points");
-    peaks += value(cell, "peaks");
-    valleys += value(cell, "valleys");
-    pinned += value(cell, "pinned");
-    flagged += value(cell, "minima");
-    auto& [of_a, minima] = by_a[value(cell, "a")];
-    of_a += value(cell, "points");
-    minima += value(cell, "valleys");
-  }
-  if (points == 0.0) return std::nullopt;
-  std::string shares;
-  for (const auto& [a, counts] : by_a)
-    shares +=
-        fmt::format("{}{:.3g} % at a = {:.3g}", shares.empty() ? "" : ", ", 100.0 * counts.second / counts.first, a);
-  return store::ClaimRecord{
-      .paper = "ekappa-2022-miura",
-      .claim = "trigonometric-local-maximum",
-      .verdict = peaks == points ? "reproduced" : "contradicted",
-      .ours = fmt::format("|curvature| has a maximum at {:.0f} and a minimum at {:.0f} of {:.0f} points", peaks,
-                          valleys, points),
-      .evidence =
-          fmt::format("Minima, measured by slopes: {}. The scheme itself reports {:.0f} minima and {:.0f} pinned "
-                      "points.",
-                      shares, flagged, pinned)};
+void claim_maximum(Findings& found) {
+  const study::Rows& rows = found.rows();
+  const double all = rows.total(points), maxima = rows.total(peaks);
+  if (all == 0.0) return;
+  found.claim("trigonometric-local-maximum", maxima == all ? "reproduced" : "contradicted",
+              fmt::format("|curvature| has a maximum at {:.0f} and a minimum at {:.0f} of {:.0f} points", maxima,
+                          rows.total(valleys), all),
+              fmt::format("Minima, measured by slopes: {}. The scheme itself reports {:.0f} minima and {:.0f} pinned "
+                          "points.",
+                          shares_by_a(sweeps(found), [](const Swept& s) { return s[valleys]; }), rows.total(minima),
+                          rows.total(pinned)));
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  if (record.cells.empty()) return;
-  record.tables = {minima_table(record)};
-  record.figures = {{.id = "ekappa-trig-minima",
-                     .title = "Points at a minimum of |curvature|",
-                     .caption = "Share of the points at which the magnitude of the trigonometric curve's curvature has "
-                                "a minimum, against a. One line a family of inputs.",
-                     .panels = {{.kind = "graph",
-                                 .title = "trigonometric basis",
-                                 .table = "minima",
-                                 .x = "a",
-                                 .y = {"share minima"},
-                                 .series = "family",
-                                 .x_label = "a",
-                                 .y_label = "share of points at a minimum"}}}};
-  if (const auto verdict = claim(record)) record.claims = {*verdict};
+void conclude(Findings& found) {
+  if (found.cells().empty()) return;
+  found.add(minima_table(found));
+  found.add({.id = "ekappa-trig-minima",
+             .title = "Points at a minimum of |curvature|",
+             .caption = "Share of the points at which the magnitude of the trigonometric curve's curvature has a "
+                        "minimum, against a. One line a family of inputs.",
+             .panels = {Panel::graph("minima", "a", {"share minima"}, "trigonometric basis")
+                            .series("family")
+                            .labels("a", "share of points at a minimum")}});
+  claim_maximum(found);
 }
 
 }  // namespace
 
 Experiment ekappa_trig_minima_experiment() {
-  return {.id = "ekappa-trig-minima",
-          .title = "Where the trigonometric maximum is a minimum",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "ekappa-trig-minima",
+                            .title = "Where the trigonometric maximum is a minimum",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"trigonometric-local-maximum"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -1,22 +1,20 @@
-#include "experiments/run/experiment.hpp"
-
+// Chen 2019, Fig. 4: how fast does the published iteration converge?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "experiments/papers/fpc-2019-chen/common.hpp"
 #include "experiments/papers/fpc-2019-chen/inputs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 
 namespace kappabench {
-
-using namespace fpc;
-
 namespace {
+
+using namespace chen;
+using study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Table, study::Tally;
 
 constexpr std::string_view about =
     "The published iteration alternates between one linear system for the joints and an update of the ratios lambda. "
@@ -24,29 +22,28 @@ constexpr std::string_view about =
     "drawings and on random typed inputs, beside the Newton solver of this program. The paper says that about 1e-6 is "
     "reached by step 15 and machine precision after 50.";
 
-constexpr int version = 1;
-constexpr int steps = 60;
+// ---- what is measured
+
+constexpr int steps = 60, inputs = 300;
 constexpr std::array looked_at{15, 50};
-constexpr int inputs = 300;
-constexpr std::string_view shown = "flourish";
+constexpr double converged = 1e-10;  // relative mismatch, for the number of steps
+constexpr std::string_view shown = "flourish", whole = "published iteration", newton = "Newton";
 constexpr std::array<std::pair<int, std::string_view>, 3> states{
     {{0, "at the start"}, {15, "after 15 steps"}, {30, "after 30 steps"}}};
-/// "About 1e-6" is taken as within a factor of 10, machine precision as some thousand roundings. The iteration stops
-/// at a relative mismatch of 1e-12.
-constexpr double about_a_millionth = 1e-5, machine_precision = 1e-12;
+
+const Key after{"after step"};
+const Quantity mismatch{"relative mismatch", "1", Method::exact}, difference{"difference", "1", Method::exact};
+/// NaN where `steps` are not enough.
+const Quantity steps_taken{"steps to 1e-10", "1", Method::exact};
+const Quantity newton_steps{"Newton steps", "1", Method::exact}, newton_residual{"Newton residual", "1", Method::exact};
 
 SchemePtr published(const Registry& registry, int most) {
   return registry.parse(fmt::format("fpc:iteration=published,max_iterations={}", most));
 }
 
-/// The residual after `step` steps; an iteration that was done earlier keeps its last.
-double residual_at(const std::vector<double>& trace, int step) {
-  return trace[std::min(static_cast<std::size_t>(step), trace.size() - 1)];
-}
-
-/// The paper's measure, made scale-free: the largest difference of |kappa| at a joint, times the mean chord; the
-/// largest |kappa| there beside it.
+/// The paper's measure, made scale-free: the largest difference of |kappa| at a joint, times the mean chord.
 double difference_of(const Fit& fit) {
+  if (!fit.curve) return undefined;
   double largest = 0.0;
   for (const Joint& joint : fit.curve->joints()) {
     const double before = curvature(fit.curve->segment(joint.segment).jet(1.0, 2));
@@ -56,139 +53,67 @@ double difference_of(const Fit& fit) {
   return largest * mean_chord(fit.input);
 }
 
-void put_differences(const Registry& registry, const Input& input, store::CellRecord& cell) {
-  for (const int step : looked_at) {
-    const Fit fit = published(registry, step)->fit(input);
-    if (fit.curve && !fit.curve->joints().empty())
-      study::put(cell, fmt::format("difference at {}", step), difference_of(fit));
-  }
+/// The residual after `step` steps; an iteration that was done earlier keeps its last.
+double residual_at(const std::vector<double>& trace, int step) {
+  return trace.empty() ? undefined : trace[std::min(static_cast<std::size_t>(step), trace.size() - 1)];
 }
 
-void put_trace(const std::vector<double>& trace, store::CellRecord& cell) {
-  study::put(cell, "inputs", 1.0);
-  if (trace.empty()) return;
-  study::put(cell, "residual at 15", residual_at(trace, 15));
-  study::put(cell, "residual at 50", residual_at(trace, 50));
-  const auto done = std::ranges::find_if(trace, [](double r) { return r <= 1e-10; });
-  if (done != trace.end()) study::put(cell, "steps to 1e-10", static_cast<double>(done - trace.begin()));
+/// Uses: Newton's method, all steps, and as many as are looked at.
+void measure(const Uses& uses, const Input& input, Notes& notes) {
+  if (!input.closed && input.size() < 4) return;  // one segment has no joint
+  const Fit exact = uses.schemes[0]->fit(input);
+  const std::vector<double> trace = uses.schemes[1]->fit(input).report.trace;
+  const auto done = std::ranges::find_if(trace, [](double r) { return r <= converged; });
+  notes.row({}, {newton_steps(exact.report.iterations), newton_residual(exact.report.residual),
+                 steps_taken(done == trace.end() ? undefined : static_cast<double>(done - trace.begin()))});
+  for (std::size_t k = 0; k < looked_at.size(); ++k)
+    notes.row({after(looked_at[k])},
+              {mismatch(residual_at(trace, looked_at[k])), difference(difference_of(uses.schemes[2 + k]->fit(input)))});
 }
 
 std::vector<CellJob> jobs(const Context& context) {
+  const SchemePtr solver = context.registry.create("fpc"), iteration = published(context.registry, steps);
+  const auto numbers_of = [&](const Drawing& drawing) {
+    Uses uses{.work = "convergence", .schemes = {solver, iteration}, .drawings = {drawing}};
+    for (const int step : looked_at) uses.schemes.push_back(published(context.registry, step));
+    return study::curves_job<measure>(std::move(uses));
+  };
   std::vector<CellJob> jobs;
-  const Registry& registry = context.registry;
-  const SchemePtr scheme = published(registry, steps), newton = registry.create("fpc");
   for (const Drawing& drawing : gallery_or(context)) {
     for (const auto& [most, words] : states)
-      if (drawing.id == shown) jobs.push_back(study::drawn_job(drawing, published(registry, most), std::string(words)));
-    jobs.push_back(study::drawn_job(drawing, scheme, "published iteration"));
-    jobs.push_back(study::drawn_job(drawing, newton, "Newton"));
-    jobs.push_back(study::study_job(drawing, scheme, "differences", version,
-                                    [&registry](const Drawing& points, store::CellRecord& cell) {
-                                      for (const Input& input : points.curves) put_differences(registry, input, cell);
-                                    }));
+      if (drawing.id == shown)
+        jobs.push_back(fit_job(drawing, published(context.registry, most), {}, std::string(words)));
+    jobs.push_back(fit_job(drawing, iteration, {}, std::string(whole)));
+    jobs.push_back(fit_job(drawing, solver, {}, std::string(newton)));
+    jobs.push_back(numbers_of(drawing));
   }
-  const std::uint64_t seed = context.seed;
-  jobs.push_back(random_job(scheme, fmt::format("convergence, seed {}", seed), version, inputs,
-                            [&registry, scheme, newton, seed](std::uint64_t index, store::CellRecord& cell) {
-                              const Input input = typed_random_input(seed, index);
-                              put_trace(scheme->fit(input).report.trace, cell);
-                              put_differences(registry, input, cell);
-                              const Fit fit = newton->fit(input);
-                              study::put(cell, "Newton solved", study::solved(fit) ? 1.0 : 0.0);
-                              study::put(cell, "Newton steps", fit.report.iterations);
-                            }));
+  jobs.push_back(numbers_of(typed_random_inputs("convergence", context.seed, inputs)));
   return jobs;
 }
 
-/// Traces of the published iteration on the drawings, one for each curve.
-std::vector<std::vector<double>> traces_of(const store::ExperimentRecord& record) {
-  std::vector<std::vector<double>> traces;
-  for (const store::CellRecord& cell : record.cells)
-    if (cell.label == "published iteration")
-      for (const store::CurveRecord& curve : cell.curves)
-        if (!curve.trace.empty() && !curve.joint_segment.empty()) traces.push_back(curve.trace);
-  return traces;
-}
+// ---- what follows
 
-double count_below(const std::vector<double>& values, double bound) {
-  return static_cast<double>(std::ranges::count_if(values, [bound](double v) { return v <= bound; }));
-}
-
-/// Relative mismatches.
-struct Residuals {
-  std::vector<double> of_drawings, of_random;
-};
-
-Residuals residuals_at(const store::ExperimentRecord& record, int step) {
-  Residuals residuals;
-  for (const auto& trace : traces_of(record)) residuals.of_drawings.push_back(residual_at(trace, step));
-  residuals.of_random = study::values(record, fmt::format("residual at {}", step));
-  return residuals;
-}
-
-store::ClaimRecord step_claim(const store::ExperimentRecord& record, std::string_view id, int step, double bound) {
-  const std::vector<double> all = study::values(record, fmt::format("difference at {}", step));
-  const Residuals relative = residuals_at(record, step);
-  const auto cases = static_cast<double>(all.size());
-  return claim(
-      id, study::verdict_in_general(count_below(all, bound), cases),
-      fmt::format("median {:.1g} / mean chord; at most {:.0e} / mean chord in {}", median(all), bound,
-                  study::share(count_below(all, bound), cases)),
-      fmt::format("Largest difference of |κ| at a joint after {} steps, times the mean chord: curves of typed "
-                  "drawings and {:.0f} random typed inputs. Relative to |κ| the median is {:.1g} on the drawings "
-                  "and {:.1g} on the random inputs. The paper's number has the unit of its drawing; in units of "
-                  "a twentieth of the mean chord (a drawing some hundred wide) the median is {:.1g}.",
-                  step, study::total(record, "inputs"), median(relative.of_drawings), median(relative.of_random),
-                  median(all) / 20.0));
-}
-
-store::ClaimRecord dozens_claim(const store::ExperimentRecord& record) {
-  std::vector<double> taken = study::values(record, "steps to 1e-10");
-  double all = study::total(record, "inputs");
-  for (const auto& trace : traces_of(record)) {
-    const auto done = std::ranges::find_if(trace, [](double r) { return r <= 1e-10; });
-    all += 1.0;
-    if (done != trace.end()) taken.push_back(static_cast<double>(done - trace.begin()));
+Table table(const Findings& found) {
+  Table table("convergence", "The published iteration, step by step",
+              "Largest relative mismatch of |curvature| at a joint after 15 and 50 steps, over the curves of "
+              "the drawing; steps of the Newton solver beside it.");
+  table.words("drawing").counts("curves").numbers("after 15").numbers("after 50").counts("Newton steps");
+  table.numbers("Newton residual");
+  for (const auto& [dataset, rows] : found.rows().by(study::key::dataset)) {
+    const auto& name = std::get<std::string>(dataset);
+    const auto count = rows.values(newton_steps).size();
+    const study::Rows at15 = rows.where({after(15)}), at50 = rows.where({after(50)});
+    if (is_random(name))
+      table.row({"random typed inputs, median", count, at15.median(mismatch), at50.median(mismatch),
+                 rows.median(newton_steps), undefined});
+    else
+      table.row({name, count, at15.largest(mismatch), at50.largest(mismatch), rows.largest(newton_steps),
+                 rows.largest(newton_residual)});
   }
-  return claim(
-      "dozens-of-iterations", study::verdict_in_general(static_cast<double>(taken.size()), all),
-      fmt::format("{} within {} steps; median {:.0f}", study::share(static_cast<double>(taken.size()), all), steps,
-                  median(taken)),
-      fmt::format("Steps until the relative mismatch is at most 1e-10, curves of typed drawings and {:.0f} random "
-                  "typed inputs together. \"A dozen or dozens\" is taken as at most {}.",
-                  study::total(record, "inputs"), steps));
+  return table;
 }
 
-store::TableRecord table(const store::ExperimentRecord& record) {
-  TableBuilder builder("convergence", "The published iteration, step by step",
-                       "Largest relative mismatch of |curvature| at a joint after 15 and 50 steps, over the curves of "
-                       "the drawing; steps of the Newton solver beside it.");
-  builder.words("drawing").counts("curves").numbers("after 15").numbers("after 50").counts("Newton steps");
-  builder.numbers("Newton residual");
-  for (const store::CellRecord& cell : record.cells) {
-    if (cell.label != "published iteration") continue;
-    double after15 = 0.0, after50 = 0.0, newton_steps = 0.0, newton_residual = 0.0;
-    for (const store::CurveRecord& curve : cell.curves) {
-      if (curve.trace.empty()) continue;
-      after15 = std::max(after15, residual_at(curve.trace, 15));
-      after50 = std::max(after50, residual_at(curve.trace, 50));
-    }
-    if (const auto newton = study::drawn_cell(record, cell.dataset, "Newton"))
-      for (const store::CurveRecord& curve : record.cells[static_cast<std::size_t>(*newton)].curves) {
-        newton_steps = std::max(newton_steps, static_cast<double>(curve.iterations));
-        newton_residual = std::max(newton_residual, curve.residual);
-      }
-    builder.row(
-        {cell.dataset, static_cast<double>(cell.curves.size()), after15, after50, newton_steps, newton_residual});
-  }
-  const Residuals r15 = residuals_at(record, 15), r50 = residuals_at(record, 50);
-  builder.row({std::string("random typed inputs, median"), static_cast<double>(r15.of_random.size()),
-               median(r15.of_random), median(r50.of_random), median(study::values(record, "Newton steps")),
-               std::numeric_limits<double>::quiet_NaN()});
-  return builder.table();
-}
-
-store::FigureRecord figure(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{
       .id = "fpc-convergence",
       .title = "The published iteration on the way",
@@ -196,35 +121,67 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
           "Curvature combs (lengths proportional to curvature, one scale) at the start and after 15 and 30 "
           "steps, and the mismatch of |curvature| at the joints against steps, with the "
           "Newton solver for comparison.",
-      .columns = 2,
-      .panels = {}};
+      .columns = 2};
   for (const auto& [most, words] : states)
-    if (const auto cell = study::drawn_cell(record, shown, words)) {
-      figure.panels.push_back(curve_panel(*cell, std::string(words), true));
-      figure.panels.back().comb_scale = 0.15;
-    }
-  store::PanelRecord panel{.kind = "convergence", .title = std::string(shown), .cells = {}, .curve = 0};
-  for (const std::string_view label : {"published iteration", "Newton"})
-    if (const auto cell = study::drawn_cell(record, shown, label)) panel.cells.push_back(*cell);
-  if (!panel.cells.empty()) figure.panels.push_back(std::move(panel));
+    if (const auto cell = found.find(shown, words))
+      figure.panels.push_back(Panel::curves({*cell}, std::string(words)).comb(0.15));
+  const auto published_cell = found.find(shown, whole), newton_cell = found.find(shown, newton);
+  if (published_cell && newton_cell)
+    figure.panels.push_back(Panel::convergence({*published_cell, *newton_cell}, std::string(shown)).of_curve(0));
   return figure;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {table(record)};
-  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
-  record.claims = {step_claim(record, "step-15", looked_at[0], about_a_millionth),
-                   step_claim(record, "step-50", looked_at[1], machine_precision), dozens_claim(record)};
+study::Rows of_random_inputs(const study::Rows& rows, bool random = true) {
+  return rows.where_row(
+      [random](const study::Row& row) { return is_random(std::get<std::string>(row[study::key::dataset])) == random; });
+}
+
+std::size_t random_inputs(const Findings& found) { return of_random_inputs(found.rows()).values(newton_steps).size(); }
+
+/// "About 1e-6" is taken as within a factor of 10, machine precision as some thousand roundings. The iteration stops
+/// at a relative mismatch of 1e-12.
+void claim_step(Findings& found, std::string_view id, int step, double bound) {
+  const study::Rows rows = found.rows().where({after(step)});
+  const Tally small = study::tally_of(rows.values(difference), [bound](double v) { return v <= bound; });
+  found.claim(
+      id, small.in_general(),
+      fmt::format("median {:.1g} / mean chord; at most {:.0e} / mean chord in {}", rows.median(difference), bound,
+                  small.words()),
+      fmt::format("Largest difference of |κ| at a joint after {} steps, times the mean chord: curves of typed "
+                  "drawings and {} random typed inputs. Relative to |κ| the median is {:.1g} on the drawings "
+                  "and {:.1g} on the random inputs. The paper's number has the unit of its drawing; in units of "
+                  "a twentieth of the mean chord (a drawing some hundred wide) the median is {:.1g}.",
+                  step, random_inputs(found), of_random_inputs(rows, false).median(mismatch),
+                  of_random_inputs(rows).median(mismatch), rows.median(difference) / 20.0));
+}
+
+void claim_dozens(Findings& found) {
+  const Tally done = study::tally_of(found.rows().values(steps_taken), [](double taken) { return !std::isnan(taken); });
+  found.claim("dozens-of-iterations", done.in_general(),
+              fmt::format("{} within {} steps; median {:.0f}", done.words(), steps, found.rows().median(steps_taken)),
+              fmt::format("Steps until the relative mismatch is at most 1e-10, curves of typed drawings and {} random "
+                          "typed inputs together. \"A dozen or dozens\" is taken as at most {}.",
+                          random_inputs(found), steps));
+}
+
+void conclude(Findings& found) {
+  found.add(table(found));
+  found.add(figure(found));
+  claim_step(found, "step-15", 15, 1e-5);
+  claim_step(found, "step-50", 50, 1e-12);
+  claim_dozens(found);
 }
 
 }  // namespace
 
 Experiment fpc_convergence_experiment() {
-  return {.id = "fpc-convergence",
-          .title = "Convergence of the published iteration (Chen 2019, Fig. 4)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "fpc-convergence",
+                            .title = "Convergence of the published iteration (Chen 2019, Fig. 4)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"step-15", "step-50", "dozens-of-iterations"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -14,7 +14,7 @@
 #include "schemes/curve/exact_form.hpp"
 #include "schemes/fpc/marks.hpp"
 
-namespace kappabench::fpc {
+namespace kappabench::chen {
 namespace {
 
 constexpr double at_point = 1e-6;  // of the mean chord
@@ -168,4 +168,4 @@ class Checker {
 
 FeatureCheck check_features(const Fit& fit) { return Checker(fit).run(); }
 
-}  // namespace kappabench::fpc
+}  // namespace kappabench::chen

@@ -5,7 +5,7 @@
 
 #include "schemes/api/fit.hpp"
 
-namespace kappabench::fpc {
+namespace kappabench::chen {
 
 /// What a fitted FPC-curve has, against what its points ask for (Chen 2019, Sect. 3, requirements (1) and (2)).
 struct FeatureCheck {
@@ -29,4 +29,4 @@ struct FeatureCheck {
 /// A place counts as at a point when it is within 1e-6 mean chord of it.
 [[nodiscard]] FeatureCheck check_features(const Fit& fit);
 
-}  // namespace kappabench::fpc
+}  // namespace kappabench::chen

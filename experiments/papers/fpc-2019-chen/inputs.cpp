@@ -1,11 +1,12 @@
 #include "experiments/papers/fpc-2019-chen/inputs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <random>
 
 #include "datasets/random_source.hpp"
 
-namespace kappabench::fpc {
+namespace kappabench::chen {
 namespace {
 
 /// Seeds of neighbouring numbers, made unlike (splitmix64, Steele, Lea and Flood 2014).
@@ -40,4 +41,10 @@ Input typed_random_input(std::uint64_t seed, std::uint64_t index) {
                             {PointType::regular, PointType::cusp, PointType::loop, PointType::inflection});
 }
 
-}  // namespace kappabench::fpc
+Drawing typed_random_inputs(std::string_view name, std::uint64_t seed, int count) {
+  Drawing drawing{.id = fmt::format("random typed inputs: {}, seed {}", name, seed)};
+  for (int i = 0; i < count; ++i) drawing.curves.push_back(typed_random_input(seed, static_cast<std::uint64_t>(i)));
+  return drawing;
+}
+
+}  // namespace kappabench::chen

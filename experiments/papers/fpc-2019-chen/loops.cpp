@@ -1,22 +1,20 @@
-#include "experiments/run/experiment.hpp"
-
+// Chen 2019, Fig. 2: two loops, made in four ways; how few points a kappa-curve needs for them.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
-#include "datasets/datasets.hpp"
 #include "datasets/random_source.hpp"
 #include "experiments/papers/fpc-2019-chen/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "metrics/self_intersection.hpp"
 
 namespace kappabench {
-
-using namespace fpc;
-
 namespace {
+
+using namespace chen;
+using study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Table;
 
 constexpr std::string_view about =
     "Two loops, made in four ways. The C2 cubic spline, the kappa-curve and the FPC-curve of regular points pass six "
@@ -24,161 +22,151 @@ constexpr std::string_view about =
     "where: three points between two ends are enough, two of them of type loop. How few points a kappa-curve needs for "
     "two loops is searched for among random points.";
 
-constexpr int version = 1;
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> shown{
-    {{"loops-regular", "cubic-spline"}, {"loops-regular", "fpc"}, {"loops-regular", "kappa"}, {"loops-typed", "fpc"}}};
+// ---- what is measured
+
+constexpr LoopCase spline{"loops-regular", "cubic-spline", "C2 cubic spline"};
+constexpr LoopCase regular{"loops-regular", "fpc", "FPC, regular points"};
+constexpr LoopCase kappa_curve{"loops-regular", "kappa", "κ-curve"};
+constexpr LoopCase typed{"loops-typed", "fpc", "FPC, two points typed"};
+constexpr std::array shown{spline, regular, kappa_curve, typed};
+
 constexpr std::array point_counts{3, 4, 5, 6};
 constexpr int tries = 400;
+const Key ends{"ends"}, points{"points"};
+const Quantity solved = study::count_of("solved"), most_loops{"most loops", "1", Method::sampled};
+
+Input points_in_a_square(RandomSource& random, int n, bool closed) {
+  Input input{.closed = closed};
+  for (int k = 0; k < n; ++k) {
+    const double x = random.uniform(0.0, 1.0), y = random.uniform(0.0, 1.0);
+    input.points.emplace_back(x, y);
+  }
+  return input;
+}
 
 /// The most self-crossings of a kappa-curve through n points in a square, open and closed, over many tries.
-void search(const Scheme& kappa, int n, store::CellRecord& cell) {
-  RandomSource random(static_cast<std::uint64_t>(n));
-  for (const bool closed : {false, true}) {
-    double most = 0.0;
-    for (int i = 0; i < tries; ++i) {
-      Input input{.points = {}, .closed = closed, .options = {}, .ids = {}};
-      for (int k = 0; k < n; ++k) {
-        const double x = random.uniform(0.0, 1.0), y = random.uniform(0.0, 1.0);
-        input.points.emplace_back(x, y);
+void search(const Uses& uses, Notes& notes) {
+  for (const int n : point_counts) {
+    RandomSource random(static_cast<std::uint64_t>(n));
+    for (const bool closed : {false, true}) {
+      std::size_t count = 0, most = 0;
+      for (int i = 0; i < tries; ++i) {
+        const Fit fit = uses.schemes.front()->fit(points_in_a_square(random, n, closed));
+        if (!study::solved(fit)) continue;
+        ++count;
+        most = std::max(most, self_intersections(*fit.curve).found.size());
       }
-      const Fit fit = kappa.fit(input);
-      if (!study::solved(fit)) continue;
-      study::put(cell, fmt::format("{} {} solved", closed ? "closed" : "open", n), 1.0);
-      most = std::max(most, static_cast<double>(self_intersections(*fit.curve).found.size()));
+      notes.row({ends(closed ? "closed" : "open"), points(n)}, {solved(count), most_loops(most)});
     }
-    study::put(cell, fmt::format("{} {} most loops", closed ? "closed" : "open", n), most);
   }
 }
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   jobs.reserve(shown.size() + 1);
-  for (const auto& [drawing, scheme] : shown)
-    jobs.push_back(
-        fit_job(open_drawings(drawing).front(), context.registry.create(scheme), {&find_metric("features")}));
-  const SchemePtr kappa = context.registry.create("kappa");
-  jobs.push_back(other_job("random points in a square", kappa, fmt::format("loops {}, {} tries", version, tries),
-                           [kappa](store::CellRecord& cell) {
-                             for (const int n : point_counts) search(*kappa, n, cell);
-                           }));
+  for (const LoopCase& which : shown) jobs.push_back(loops_job(context, which));
+  jobs.push_back(study::numbers_job<search>({.work = "loops of random points",
+                                             .schemes = {context.registry.create("kappa")},
+                                             .metrics = {&find_metric("features")},
+                                             .numbers = {{"tries", tries}}},
+                                            "random points in a square"));
   return jobs;
 }
 
-/// The cell of `shown[which]`.
-Loops loops_of(const store::ExperimentRecord& record, std::size_t which) {
-  return fpc::loops_of(record, shown[which].first, shown[which].second);
-}
-
-double most_loops(const store::ExperimentRecord& record, std::string_view kind, int n) {
-  return largest(study::values(record, fmt::format("{} {} most loops", kind, n)));
-}
+// ---- what follows
 
 /// The fewest points with which two loops were found; 0 if none.
-int fewest(const store::ExperimentRecord& record, std::string_view kind) {
-  for (const int n : point_counts)
-    if (most_loops(record, kind, n) >= 2.0) return n;
-  return 0;
+int fewest(const Findings& found, std::string_view kind) {
+  const auto* const n = std::ranges::find_if(point_counts, [&](int count) {
+    return found.rows().where({ends(kind), points(count)}).largest(most_loops) >= 2.0;
+  });
+  return n == point_counts.end() ? 0 : *n;
 }
 
-store::TableRecord loops_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("loops", "Loops and where they close",
-                       "Crossings of the curve with itself; at a point means within 1e-6 mean chord of one.");
-  builder.words("drawing").words("scheme").counts("points").counts("loops").counts("at points");
-  for (std::size_t k = 0; k < shown.size(); ++k)
-    if (const Loops loops = loops_of(record, k); loops.cell >= 0)
-      builder.row(
-          {std::string(shown[k].first), std::string(shown[k].second), loops.points, loops.loops, loops.at_points});
-  return builder.table();
+Table loops_table(const Findings& found) {
+  Table table("loops", "Loops and where they close",
+              "Crossings of the curve with itself; at a point means within 1e-6 mean chord of one.");
+  table.words("drawing").words("scheme").counts("points").counts("loops").counts("at points");
+  for (const LoopCase& which : shown)
+    if (const Loops loops = loops_of(found, which); loops.drawn())
+      table.row({which.drawing, which.scheme, loops.points, loops.loops, loops.at_points});
+  return table;
 }
 
-store::TableRecord search_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("search", "Most loops of a κ-curve",
-                       fmt::format("Over {} sets of random points in a square, each open and closed.", tries));
-  builder.counts("points").counts("open, solved").counts("open, most loops");
-  builder.counts("closed, solved").counts("closed, most loops");
+Table search_table(const Findings& found) {
+  Table table("search", "Most loops of a κ-curve",
+              fmt::format("Over {} sets of random points in a square, each open and closed.", tries));
+  table.counts("points").counts("open, solved").counts("open, most loops");
+  table.counts("closed, solved").counts("closed, most loops");
   for (const int n : point_counts) {
-    const auto solved = [&](std::string_view kind) {
-      return study::total(record, fmt::format("{} {} solved", kind, n));
-    };
-    builder.row({static_cast<double>(n), solved("open"), most_loops(record, "open", n), solved("closed"),
-                 most_loops(record, "closed", n)});
+    const study::Rows open = found.rows().where({ends("open"), points(n)});
+    const study::Rows closed = found.rows().where({ends("closed"), points(n)});
+    table.row({n, open.total(solved), open.largest(most_loops), closed.total(solved), closed.largest(most_loops)});
   }
-  return builder.table();
+  return table;
 }
 
-store::ClaimRecord typed_claim(const store::ExperimentRecord& record) {
-  const Loops typed = loops_of(record, 3);
-  const bool holds = typed.loops == 2.0 && typed.at_points == 2.0 && typed.points <= 5.0;
-  return claim(
-      "three-points-two-loops",
-      typed.cell < 0 ? "not reproduced"
-      : holds        ? "reproduced"
-                     : "contradicted",
-      fmt::format("{:.0f} points with both ends: {:.0f} loops, {:.0f} of them at a point", typed.points, typed.loops,
-                  typed.at_points),
-      "The drawing loops-typed; loops are crossings of the exact curve, at a point if within 1e-6 mean chord.");
-}
-
-store::ClaimRecord spline_claim(const store::ExperimentRecord& record) {
-  const Loops spline = loops_of(record, 0);
-  const bool away = spline.loops - spline.at_points > 0.0;
-  return claim("spline-loops-away",
-               spline.cell < 0 || spline.loops == 0.0 ? "not reproduced"
-               : away                                 ? "reproduced"
-                                                      : "contradicted",
-               fmt::format("{:.0f} loops, {:.0f} of them at a point", spline.loops, spline.at_points),
-               "The natural C2 cubic spline with chord-length parameters through the six points of loops-regular.");
-}
-
-store::ClaimRecord kappa_claim(const store::ExperimentRecord& record) {
-  const int open = fewest(record, "open"), closed = fewest(record, "closed");
-  const int all = open == 0 ? closed : closed == 0 ? open : std::min(open, closed);
-  double tried = 0.0;
-  for (const int n : point_counts)
-    for (const std::string_view kind : {"open", "closed"})
-      tried += study::total(record, fmt::format("{} {} solved", kind, n));
-  return claim("kappa-needs-five",
-               tried == 0.0 || all == 0 ? "not reproduced"
-               : all < 5                ? "contradicted"
-                                        : "reproduced",
-               fmt::format("two loops from {} points open and {} closed", open == 0 ? "more" : std::to_string(open),
-                           closed == 0 ? "more" : std::to_string(closed)),
-               fmt::format("Solved κ-curves through 3 to 6 random points in a square, {:.0f} in all; the ends of an "
-                           "open curve are counted as points.",
-                           tried));
-}
-
-store::FigureRecord figure(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{.id = "fpc-loops",
                              .title = "Two loops in four ways",
                              .caption =
                                  "Six points that suggest two loops, by the C2 cubic spline, by the FPC-curve of "
                                  "regular points and by the κ-curve; three points between two ends, two of "
                                  "them of type loop, by the FPC-curve.",
-                             .columns = 4,
-                             .panels = {}};
-  constexpr std::array<std::string_view, 4> titles{"C2 cubic spline", "FPC, regular points", "κ-curve",
-                                                   "FPC, two points typed"};
-  for (std::size_t k = 0; k < shown.size(); ++k)
-    if (const Loops loops = loops_of(record, k); loops.cell >= 0)
-      figure.panels.push_back(curve_panel(loops.cell, std::string(titles[k])));
+                             .columns = 4};
+  for (const LoopCase& which : shown)
+    if (const Loops loops = loops_of(found, which); loops.drawn())
+      figure.panels.push_back(Panel::curves({loops.cell}, std::string(which.title)));
   return figure;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {loops_table(record), search_table(record)};
-  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
-  record.claims = {typed_claim(record), spline_claim(record), kappa_claim(record)};
+void claim_typed(Findings& found) {
+  const Loops loops = loops_of(found, typed);
+  found.claim(
+      "three-points-two-loops",
+      study::verdict_for_one(loops.drawn(), loops.loops == 2.0 && loops.at_points == 2.0 && loops.points <= 5.0),
+      fmt::format("{:.0f} points with both ends: {:.0f} loops, {:.0f} of them at a point", loops.points, loops.loops,
+                  loops.at_points),
+      "The drawing loops-typed; loops are crossings of the exact curve, at a point if within 1e-6 mean chord.");
+}
+
+void claim_spline(Findings& found) {
+  const Loops loops = loops_of(found, spline);
+  found.claim("spline-loops-away", study::verdict_for_one(loops.loops > 0.0, loops.loops > loops.at_points),
+              fmt::format("{:.0f} loops, {:.0f} of them at a point", loops.loops, loops.at_points),
+              "The natural C2 cubic spline with chord-length parameters through the six points of loops-regular.");
+}
+
+void claim_kappa(Findings& found) {
+  const int open = fewest(found, "open"), closed = fewest(found, "closed");
+  const bool too_few = (open > 0 && open < 5) || (closed > 0 && closed < 5);
+  const auto words = [](int n) { return n == 0 ? "more" : std::to_string(n); };
+  found.claim("kappa-needs-five", study::verdict_for_one(open > 0 || closed > 0, !too_few),
+              fmt::format("two loops from {} points open and {} closed", words(open), words(closed)),
+              fmt::format("Solved κ-curves through 3 to 6 random points in a square, {:.0f} in all; the ends of an "
+                          "open curve are counted as points.",
+                          found.rows().total(solved)));
+}
+
+void conclude(Findings& found) {
+  found.add(loops_table(found));
+  found.add(search_table(found));
+  found.add(figure(found));
+  claim_typed(found);
+  claim_spline(found);
+  claim_kappa(found);
 }
 
 }  // namespace
 
 Experiment fpc_loops_experiment() {
-  return {.id = "fpc-loops",
-          .title = "Modelling two loops (Chen 2019, Fig. 2)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "fpc-loops",
+                            .title = "Modelling two loops (Chen 2019, Fig. 2)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"three-points-two-loops", "spline-loops-away", "kappa-needs-five"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

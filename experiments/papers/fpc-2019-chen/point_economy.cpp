@@ -1,78 +1,69 @@
-#include "experiments/run/experiment.hpp"
-
+// Chen 2019, Fig. 9: a ring of twelve loops, from twelve typed points and from thirty-six plain ones.
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
-
-#include "datasets/datasets.hpp"
 #include "experiments/papers/fpc-2019-chen/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
 
 namespace kappabench {
-
-using namespace fpc;
-
 namespace {
+
+using namespace chen;
+using study::Findings, study::Panel, study::Table;
 
 constexpr std::string_view about =
     "A ring of twelve loops, once from twelve points of type loop, once from thirty-six points through which a "
     "kappa-curve makes its loops by itself. Both the loops and where they close are counted on the exact curves.";
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> shown{
-    {{"ring-of-loops", "fpc"}, {"ring-of-loops-36", "kappa"}}};
+// ---- what is measured
 
-std::vector<CellJob> jobs(const Context& context) {
-  std::vector<CellJob> jobs;
-  jobs.reserve(shown.size() + 1);
-  for (const auto& [drawing, scheme] : shown)
-    jobs.push_back(
-        fit_job(open_drawings(drawing).front(), context.registry.create(scheme), {&find_metric("features")}));
-  return jobs;
-}
+constexpr LoopCase typed{"ring-of-loops", "fpc", "FPC"}, plain{"ring-of-loops-36", "kappa", "κ-curve"};
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  const Loops typed = loops_of(record, shown[0].first, shown[0].second);
-  const Loops plain = loops_of(record, shown[1].first, shown[1].second);
-  TableBuilder builder("points", "Points for twelve loops",
-                       "A loop of a typed point has two numbers besides, α and β.");
-  builder.words("curve").counts("points").counts("loops").counts("loops that close at a point");
+std::vector<CellJob> jobs(const Context& context) { return {loops_job(context, typed), loops_job(context, plain)}; }
+
+// ---- what follows
+
+void show(Findings& found) {
+  Table table("points", "Points for twelve loops", "A loop of a typed point has two numbers besides, α and β.");
+  table.words("curve").counts("points").counts("loops").counts("loops that close at a point");
   store::FigureRecord figure{.id = "fpc-point-economy",
                              .title = "Twelve loops from twelve and from thirty-six points",
                              .caption =
                                  "Left: the FPC-curve of twelve points of type loop. Right: the κ-curve of "
                                  "thirty-six points.",
-                             .columns = 2,
-                             .panels = {}};
-  for (const auto& [ring, words] : {std::pair(typed, "FPC"), std::pair(plain, "κ-curve")}) {
-    if (ring.cell < 0) continue;
-    builder.row({std::string(words), ring.points, ring.loops, ring.at_points});
-    figure.panels.push_back(curve_panel(ring.cell, fmt::format("{}, {:.0f} points", words, ring.points)));
+                             .columns = 2};
+  for (const LoopCase& which : {typed, plain}) {
+    const Loops ring = loops_of(found, which);
+    if (!ring.drawn()) continue;
+    table.row({which.title, ring.points, ring.loops, ring.at_points});
+    figure.panels.push_back(Panel::curves({ring.cell}, fmt::format("{}, {:.0f} points", which.title, ring.points)));
   }
-  record.tables = {builder.table()};
-  if (!figure.panels.empty()) record.figures = {std::move(figure)};
-  const bool both = typed.cell >= 0 && plain.cell >= 0 && plain.loops > 0.0;
-  const bool holds = typed.loops == plain.loops && typed.at_points == typed.loops && 3.0 * typed.points <= plain.points;
-  record.claims = {
-      claim("twelve-points",
-            !both   ? "not reproduced"
-            : holds ? "reproduced"
-                    : "contradicted",
-            fmt::format("{:.0f} points make {:.0f} loops, {:.0f} of them at points; {:.0f} points make "
-                        "{:.0f}, {:.0f} of them at points",
-                        typed.points, typed.loops, typed.at_points, plain.points, plain.loops, plain.at_points),
-            "Drawings ring-of-loops and ring-of-loops-36, our own stand-ins: that thirty-six points are "
-            "needed for a κ-curve is not tested.")};
+  found.add(table);
+  found.add(std::move(figure));
+}
+
+void conclude(Findings& found) {
+  show(found);
+  const Loops few = loops_of(found, typed), many = loops_of(found, plain);
+  const bool as_many = few.loops == many.loops && few.at_points == few.loops;
+  found.claim("twelve-points",
+              study::verdict_for_one(few.drawn() && many.loops > 0.0, as_many && 3.0 * few.points <= many.points),
+              fmt::format("{:.0f} points make {:.0f} loops, {:.0f} of them at points; {:.0f} points make "
+                          "{:.0f}, {:.0f} of them at points",
+                          few.points, few.loops, few.at_points, many.points, many.loops, many.at_points),
+              "Drawings ring-of-loops and ring-of-loops-36, our own stand-ins: that thirty-six points are "
+              "needed for a κ-curve is not tested.");
 }
 
 }  // namespace
 
 Experiment fpc_point_economy_experiment() {
-  return {.id = "fpc-point-economy",
-          .title = "Twelve typed points and thirty-six plain ones (Chen 2019, Fig. 9)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "fpc-point-economy",
+                            .title = "Twelve typed points and thirty-six plain ones (Chen 2019, Fig. 9)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"twelve-points"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -185,9 +185,9 @@ store::CurveRecord controls_mark(const Fit& fit) {
   return mark;
 }
 
-std::optional<int> cell_of(const store::ExperimentRecord& record, std::string_view dataset, bool controls) {
-  for (std::size_t i = 0; i < record.cells.size(); ++i) {
-    const store::CellRecord& cell = record.cells[i];
+std::optional<int> cell_of(const std::vector<store::CellRecord>& cells, std::string_view dataset, bool controls) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const store::CellRecord& cell = cells[i];
     if (cell.dataset == dataset && (cell.label == controls_label) == controls && !cell.curves.empty())
       return static_cast<int>(i);
   }
@@ -196,34 +196,36 @@ std::optional<int> cell_of(const store::ExperimentRecord& record, std::string_vi
 
 }  // namespace
 
+void keep_curve(const Scheme& scheme, const Fit& fit, store::CellRecord& cell) {
+  cell.curves.push_back(record_of(scheme, fit, {}));
+  cell.outcome = name(fit.report.outcome);
+  cell.message = fit.report.message;
+}
+
+void keep_controls(const Fit& fit, store::CellRecord& cell) { cell.curves.push_back(controls_mark(fit)); }
+
 std::vector<CellJob> drawn_jobs(const SchemePtr& scheme, const std::string& dataset, const std::string& label,
                                 int version, std::function<Fit()> make) {
-  CellJob curve =
-      other_job(dataset, scheme, fmt::format("{} {}", label, version), [scheme, make](store::CellRecord& cell) {
-        const Fit fit = make();
-        cell.curves.push_back(record_of(*scheme, fit, {}));
-        cell.outcome = name(fit.report.outcome);
-        cell.message = fit.report.message;
-      });
+  CellJob curve = other_job(dataset, scheme, fmt::format("{} {}", label, version),
+                            [scheme, make](store::CellRecord& cell) { keep_curve(*scheme, make(), cell); });
   curve.label = label;
-  CellJob controls =
-      other_job(dataset, scheme, fmt::format("{} controls {}", label, version),
-                [make = std::move(make)](store::CellRecord& cell) { cell.curves.push_back(controls_mark(make())); });
+  CellJob controls = other_job(dataset, scheme, fmt::format("{} controls {}", label, version),
+                               [make = std::move(make)](store::CellRecord& cell) { keep_controls(make(), cell); });
   controls.label = std::string(controls_label);
   return {std::move(curve), std::move(controls)};
 }
 
 std::optional<int> curve_of(const store::ExperimentRecord& record, std::string_view dataset) {
-  return cell_of(record, dataset, false);
+  return cell_of(record.cells, dataset, false);
 }
 
 std::optional<int> controls_of(const store::ExperimentRecord& record, std::string_view dataset) {
-  return cell_of(record, dataset, true);
+  return cell_of(record.cells, dataset, true);
 }
 
 void add_curve_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
                      std::string title) {
-  const auto cell = cell_of(record, dataset, false);
+  const auto cell = cell_of(record.cells, dataset, false);
   if (!cell) return;
   figure.panels.push_back({.kind = "curve", .title = std::move(title), .cells = {*cell}});
   figure.panels.back().comb = true;
@@ -231,23 +233,45 @@ void add_curve_panel(store::FigureRecord& figure, const store::ExperimentRecord&
 
 void add_curvature_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
                          std::string title) {
-  const auto cell = cell_of(record, dataset, false);
+  const auto cell = cell_of(record.cells, dataset, false);
   if (!cell) return;
   figure.panels.push_back({.kind = "curvature", .title = std::move(title), .cells = {*cell}});
   if (const auto controls = controls_of(record, dataset)) figure.panels.back().cells.push_back(*controls);
 }
 
-store::TableRecord drawn_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("drawn", "The curves of the figure", "Curvature times the chord, length over the chord.");
-  builder.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
-  builder.numbers("curvature at the start").numbers("at the end");
-  for (const store::CellRecord& cell : record.cells) {
+void add_curve_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
+                     std::string title) {
+  if (const auto cell = cell_of(found.cells(), dataset, false))
+    figure.panels.push_back(study::Panel::curves({*cell}, std::move(title)).comb());
+}
+
+void add_curvature_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
+                         std::string title) {
+  const auto cell = cell_of(found.cells(), dataset, false);
+  if (!cell) return;
+  std::vector<int> cells{*cell};
+  if (const auto controls = cell_of(found.cells(), dataset, true)) cells.push_back(*controls);
+  figure.panels.push_back(study::Panel::curvature(std::move(cells), std::move(title)));
+}
+
+namespace {
+
+study::Table drawn_table(const std::vector<store::CellRecord>& cells) {
+  study::Table table("drawn", "The curves of the figure", "Curvature times the chord, length over the chord.");
+  table.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
+  table.numbers("curvature at the start").numbers("at the end");
+  for (const store::CellRecord& cell : cells) {
     if (cell.curves.empty() || cell.label == controls_label || cell.curves[0].sample_s.empty()) continue;
     const store::CurveRecord& curve = cell.curves[0];
-    builder.row({cell.dataset, curve.outcome, static_cast<double>(curve.iterations), curve.residual,
-                 curve.sample_s.back(), curve.sample_kappa.front(), curve.sample_kappa.back()});
+    table.row({cell.dataset, curve.outcome, curve.iterations, curve.residual, curve.sample_s.back(),
+               curve.sample_kappa.front(), curve.sample_kappa.back()});
   }
-  return builder.table();
+  return table;
 }
+
+}  // namespace
+
+store::TableRecord drawn_table(const store::ExperimentRecord& record) { return drawn_table(record.cells).record(); }
+study::Table drawn_table(const study::Findings& found) { return drawn_table(found.cells()); }
 
 }  // namespace kappabench::yoshida

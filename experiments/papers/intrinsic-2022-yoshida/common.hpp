@@ -4,9 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/run/experiment.hpp"
+#include "experiments/study/findings.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/study.hpp"
 #include "experiments/study/verdicts.hpp"
 #include "schemes/api/fit.hpp"
@@ -73,6 +76,26 @@ struct Amount {
                                               const std::string& label, int version, std::function<Fit()> make);
 inline constexpr std::string_view controls_label = "control curvatures (square), knots (tick)";
 
+/// What the two cells keep of a fit.
+void keep_curve(const Scheme& scheme, const Fit& fit, store::CellRecord& cell);
+void keep_controls(const Fit& fit, store::CellRecord& cell);
+
+/// The two cells of the curve that `Make` makes of its Uses and nothing else.
+template <Fit (*Make)(const Uses&)>
+[[nodiscard]] std::vector<CellJob> drawn_jobs(Uses uses, const std::string& dataset, const std::string& label) {
+  Uses marks = uses;
+  marks.work += ", control curvatures";
+  return {{.dataset = dataset,
+           .label = label,
+           .uses = std::move(uses),
+           .compute = [](const Uses& used,
+                         store::CellRecord& cell) { keep_curve(*used.schemes.front(), Make(used), cell); }},
+          {.dataset = dataset,
+           .label = std::string(controls_label),
+           .uses = std::move(marks),
+           .compute = [](const Uses& used, store::CellRecord& cell) { keep_controls(Make(used), cell); }}};
+}
+
 /// Index of the cell with the curve of a dataset, and of that with its control curvatures, or nothing.
 [[nodiscard]] std::optional<int> curve_of(const store::ExperimentRecord& record, std::string_view dataset);
 [[nodiscard]] std::optional<int> controls_of(const store::ExperimentRecord& record, std::string_view dataset);
@@ -84,7 +107,13 @@ void add_curve_panel(store::FigureRecord& figure, const store::ExperimentRecord&
 void add_curvature_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
                          std::string title);
 
+void add_curve_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
+                     std::string title);
+void add_curvature_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
+                         std::string title);
+
 /// A row for every drawn curve of one segment: outcome, steps, gap, length over chord, end curvatures times the chord.
 [[nodiscard]] store::TableRecord drawn_table(const store::ExperimentRecord& record);
+[[nodiscard]] study::Table drawn_table(const study::Findings& found);
 
 }  // namespace kappabench::yoshida

@@ -1,5 +1,4 @@
-#include "experiments/run/experiment.hpp"
-
+// Yoshida 2022, Fig. 1: a curve from a B-spline curvature function, and the closed forms of its angle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +10,17 @@
 
 #include "datasets/random_source.hpp"
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/summaries.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace yoshida;
 using namespace intrinsic;
-
-namespace {
+using study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Row, study::Table;
 
 constexpr std::string_view about =
     "The cubic B-spline of Fig. 1: knots [0, 0, 0, 1/2, 1, 1, 1] and five control curvatures (the paper prints none; a "
@@ -28,9 +29,20 @@ constexpr std::string_view about =
     "are summed, and widths in the original parameter are multiplied by the arc length so far) and corrected, against "
     "Gauss quadrature of the B-spline by de Boor's recurrence, on random splines and arc lengths.";
 
-constexpr int version = 1;
+// ---- what is measured
+
 constexpr int random_splines = 200;
-constexpr std::string_view dataset = "five control curvatures", label = "curve";
+constexpr std::string_view dataset = "five control curvatures";
+/// Along Fig. 1: where a Bezier control curvature acts, and where an angle is taken.
+const Key abscissa{"abscissa"}, at_t{"t"};
+const Quantity bezier{"Bezier control curvature", "1/length", kappabench::Method::exact};
+const Quantity by_quadrature{"angle by quadrature", "rad", kappabench::Method::sampled};
+const Quantity corrected_angle{"angle corrected", "rad", kappabench::Method::exact};
+const Quantity printed_angle{"angle as printed", "rad", kappabench::Method::exact};
+/// Differences from quadrature on random splines.
+const Quantity printed_off{"printed is off", "1", kappabench::Method::sampled};
+const Quantity corrected_off{"corrected is off", "1", kappabench::Method::sampled};
+const Quantity whole_off{"whole is off", "1", kappabench::Method::sampled};
 
 IntrinsicForm example() {
   return {Vec2::Zero(), 0.0, 1.0, 3, {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0}, {0.4, 2.4, 0.6, 1.4, 3.2}};
@@ -101,17 +113,15 @@ ClosedForms closed_forms(const IntrinsicForm& form, double t) {
 }
 
 /// The formulas against quadrature, relative to the integral of |curvature|, which `scale` bounds.
-void measure_forms(const IntrinsicForm& form, double t, store::CellRecord& cell) {
+void measure_forms(const IntrinsicForm& form, double t, Notes& notes) {
   double largest = 0.0;
   for (const double k : form.control_curvatures) largest = std::max(largest, std::abs(k));
-  const double scale = largest * form.length;
-  const double angle = angle_by_quadrature(form, t);
-  const ClosedForms forms = closed_forms(form, t);
-  study::put(cell, "printed is off", std::abs(forms.printed - angle) / scale, kappabench::Method::sampled);
-  study::put(cell, "corrected is off", std::abs(forms.corrected - angle) / scale, kappabench::Method::sampled);
+  const double scale = largest * form.length, angle = angle_by_quadrature(form, t);
+  const auto [printed, corrected] = closed_forms(form, t);
   // Eq. (5) over the whole range.
-  study::put(cell, "whole is off", std::abs(closed_forms(form, 1.0).corrected - angle_by_quadrature(form, 1.0)) / scale,
-             kappabench::Method::sampled);
+  const double whole = closed_forms(form, 1.0).corrected - angle_by_quadrature(form, 1.0);
+  notes.row({}, {printed_off(std::abs(printed - angle) / scale), corrected_off(std::abs(corrected - angle) / scale),
+                 whole_off(std::abs(whole) / scale)});
 }
 
 IntrinsicForm random_form(std::uint64_t seed) {
@@ -124,88 +134,87 @@ IntrinsicForm random_form(std::uint64_t seed) {
   return form;
 }
 
-void measure_example(store::CellRecord& cell) {
+void measure_random_forms(const Uses& uses, Notes& notes) {
+  for (std::uint64_t i = 0; i < random_splines; ++i) {
+    RandomSource random(uses.seed * 7919 + i);
+    measure_forms(random_form(uses.seed * 104729 + i), random.uniform(0.05, 1.0), notes);
+  }
+}
+
+void measure_example(const Uses&, Notes& notes) {
   const IntrinsicForm form = example();
   const auto spans = spans_of({form.degree, form.knots});
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const std::vector<double> b = bezier_of(form, spans[i]);
-    for (std::size_t j = i == 0 ? 0 : 1; j < b.size(); ++j) {
-      study::put(cell, "bezier at", spans[i].from + spans[i].width() * static_cast<double>(j) / form.degree);
-      study::put(cell, "bezier", b[j]);
-    }
+    for (std::size_t j = i == 0 ? 0 : 1; j < b.size(); ++j)
+      notes.row({abscissa(spans[i].from + spans[i].width() * static_cast<double>(j) / form.degree)}, {bezier(b[j])});
   }
   constexpr int steps = 8;
   for (int i = 1; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    const ClosedForms forms = closed_forms(form, t);
-    study::put(cell, "t", t);
-    study::put(cell, "angle by quadrature", angle_by_quadrature(form, t), kappabench::Method::sampled);
-    study::put(cell, "angle corrected", forms.corrected);
-    study::put(cell, "angle as printed", forms.printed);
+    const auto [printed, corrected] = closed_forms(form, t);
+    notes.row({at_t(t)},
+              {by_quadrature(angle_by_quadrature(form, t)), corrected_angle(corrected), printed_angle(printed)});
   }
+}
+
+Fit example_fit(const Uses&) {
+  const auto segment = std::make_shared<const IntrinsicSegment>(example());
+  Fit fit{.input = {.points = {segment->jet(0.0, 0).position(), segment->jet(1.0, 0).position()},
+                    .closed = false,
+                    .options = {},
+                    .ids = {}},
+          .curve = std::nullopt,
+          .report = {.outcome = Outcome::converged}};
+  fit.curve.emplace(std::vector<SegmentPtr>{segment}, std::vector<Joint>{}, std::vector<Node>{}, false);
+  return fit;
 }
 
 std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = context.registry.create("intrinsic");
-  std::vector<CellJob> jobs = drawn_jobs(scheme, std::string(dataset), std::string(label), version, [] {
-    const auto segment = std::make_shared<const IntrinsicSegment>(example());
-    Fit fit{.input = {.points = {segment->jet(0.0, 0).position(), segment->jet(1.0, 0).position()},
-                      .closed = false,
-                      .options = {},
-                      .ids = {}},
-            .curve = std::nullopt,
-            .report = {.outcome = Outcome::converged}};
-    fit.curve.emplace(std::vector<SegmentPtr>{segment}, std::vector<Joint>{}, std::vector<Node>{}, false);
-    return fit;
-  });
-  jobs.push_back(numbers_job(scheme, std::string(dataset), "Bezier form", version, measure_example));
-  const std::uint64_t seed = context.seed;
-  jobs.push_back(numbers_job(scheme, "random splines", fmt::format("angles, seed {}", seed), version,
-                             [seed](store::CellRecord& cell) {
-                               for (std::uint64_t i = 0; i < random_splines; ++i) {
-                                 RandomSource random(seed * 7919 + i);
-                                 measure_forms(random_form(seed * 104729 + i), random.uniform(0.05, 1.0), cell);
-                               }
-                             }));
+  std::vector<CellJob> jobs =
+      drawn_jobs<example_fit>({.work = "curve of Fig. 1", .schemes = {scheme}}, std::string(dataset), "curve");
+  jobs.push_back(
+      study::numbers_job<measure_example>({.work = "Bezier form", .schemes = {scheme}}, std::string(dataset)));
+  jobs.push_back(study::numbers_job<measure_random_forms>({.work = "angles", .schemes = {scheme}, .seed = context.seed},
+                                                          fmt::format("random splines, seed {}", context.seed)));
   return jobs;
 }
 
-store::TableRecord bezier_table(const store::ExperimentRecord& record) {
-  const auto at = study::values(record, "bezier at"), value = study::values(record, "bezier");
+// ---- what follows
+
+Table bezier_table(const Findings& found) {
+  Table table("controls", "Control curvatures", "Over the abscissae at which they act.");
+  table.words("form").numbers("abscissa").numbers("curvature");
+  const auto rows = found.rows().where_row([](const Row& row) { return row.has(bezier); });
+  for (const Row* row : rows) table.row({"Bezier, q", std::get<double>((*row)[abscissa]), (*row)[bezier]});
   const IntrinsicForm form = example();
   const std::vector<double> greville = greville_abscissae({form.degree, form.knots});
-  TableBuilder builder("controls", "Control curvatures", "Over the abscissae at which they act.");
-  builder.words("form").numbers("abscissa").numbers("curvature");
-  for (std::size_t i = 0; i < at.size(); ++i) builder.row({std::string("Bezier, q"), at[i], value[i]});
-  if (!at.empty())
-    for (std::size_t i = 0; i < greville.size(); ++i)
-      builder.row({std::string("B-spline, p"), greville[i], form.control_curvatures[i]});
-  return builder.table();
+  for (std::size_t i = 0; !rows.empty() && i < greville.size(); ++i)
+    table.row({"B-spline, p", greville[i], form.control_curvatures[i]});
+  return table;
 }
 
-store::TableRecord angle_table(const store::ExperimentRecord& record) {
-  const auto t = study::values(record, "t"), exact = study::values(record, "angle by quadrature"),
-             corrected = study::values(record, "angle corrected"), printed = study::values(record, "angle as printed");
-  TableBuilder builder("angles", "The angle along the curve of Fig. 1", "Radians.");
-  builder.numbers("t").numbers("quadrature").numbers("Eq. (7) corrected").numbers("Eq. (7) as printed");
-  for (std::size_t i = 0; i < t.size(); ++i) builder.row({t[i], exact[i], corrected[i], printed[i]});
-  return builder.table();
+Table angle_table(const Findings& found) {
+  Table table("angles", "The angle along the curve of Fig. 1", "Radians.");
+  table.numbers("t").numbers("quadrature").numbers("Eq. (7) corrected").numbers("Eq. (7) as printed");
+  for (const auto& [t, rows] : found.rows().by(at_t))
+    table.row({std::get<double>(t), rows.mean(by_quadrature), rows.mean(corrected_angle), rows.mean(printed_angle)});
+  return table;
 }
 
 constexpr double rounding = 1e-13;
 
-store::ClaimRecord formula_claim(const store::ExperimentRecord& record, std::string_view id, std::string_view column,
-                                 std::string evidence) {
-  const std::vector<double> off = study::values(record, column);
-  const auto wrong = static_cast<double>(std::ranges::count_if(off, [](double d) { return !(d <= rounding); }));
-  const auto cases = static_cast<double>(off.size());
-  return claim(id, study::verdict_for_all(wrong, cases),
-               fmt::format("{} agree with quadrature; largest difference {:.2g} of the largest curvature times length",
-                           study::share(cases - wrong, cases), largest(off)),
-               std::move(evidence));
+void claim_formula(Findings& found, std::string_view id, const Quantity& off, std::string evidence) {
+  study::Tally tally;
+  for (const double d : found.rows().values(off)) tally.add(d <= rounding);
+  found.claim(id, tally.always(),
+              fmt::format("{} agree with quadrature; largest difference {:.2g} of the largest curvature times length",
+                          tally.words(), found.rows().largest(off)),
+              std::move(evidence));
 }
 
-store::FigureRecord figure(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{.id = "intrinsic-example",
                              .title = "A B-spline curvature function and its curve",
                              .caption =
@@ -213,39 +222,39 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
                                  "(ticks); the same function's Bezier control curvatures; the curve with its comb.",
                              .columns = 3,
                              .panels = {}};
-  add_curvature_panel(figure, record, dataset, "explicit B-spline");
-  store::PanelRecord bezier{.kind = "graph", .title = "B-spline and Bezier control polygon"};
-  bezier.table = "controls";
-  bezier.x = "abscissa";
-  bezier.y = {"curvature"};
-  bezier.series = "form";
-  if (!figure.panels.empty()) figure.panels.push_back(std::move(bezier));
-  add_curve_panel(figure, record, dataset, "the curve");
+  add_curvature_panel(figure, found, dataset, "explicit B-spline");
+  if (!figure.panels.empty())
+    figure.panels.push_back(Panel::graph("controls", "abscissa", {"curvature"}, "B-spline and Bezier control polygon")
+                                .labels("", "")
+                                .series("form"));
+  add_curve_panel(figure, found, dataset, "the curve");
   return figure;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {bezier_table(record), angle_table(record)};
-  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
-  record.claims = {
-      formula_claim(record, "integral-of-bezier-segments", "whole is off",
-                    fmt::format("{} random splines of degree 1 to 5 on equal knots, by Gauss quadrature of de Boor's "
-                                "recurrence.",
-                                random_splines)),
-      formula_claim(record, "angle-in-closed-form", "printed is off",
-                    fmt::format("As printed, at random arc lengths. With all n + 1 coefficients and the widths of the "
-                                "original parameter times the whole length the largest difference is {:.2g}.",
-                                largest(study::values(record, "corrected is off"))))};
+void conclude(Findings& found) {
+  found.add(bezier_table(found));
+  found.add(angle_table(found));
+  found.add(figure(found));
+  claim_formula(found, "integral-of-bezier-segments", whole_off,
+                fmt::format("{} random splines of degree 1 to 5 on equal knots, by Gauss quadrature of de Boor's "
+                            "recurrence.",
+                            random_splines));
+  claim_formula(found, "angle-in-closed-form", printed_off,
+                fmt::format("As printed, at random arc lengths. With all n + 1 coefficients and the widths of the "
+                            "original parameter times the whole length the largest difference is {:.2g}.",
+                            found.rows().largest(corrected_off)));
 }
 
 }  // namespace
 
 Experiment intrinsic_example_experiment() {
-  return {.id = "intrinsic-example",
-          .title = "A curve from a B-spline curvature function (Yoshida 2022, Fig. 1)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "intrinsic-example",
+                            .title = "A curve from a B-spline curvature function (Yoshida 2022, Fig. 1)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"integral-of-bezier-segments", "angle-in-closed-form"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -1,5 +1,4 @@
-#include "experiments/run/experiment.hpp"
-
+// Yoshida 2022, Fig. 10: what it costs to make a chain of G1 segments G2.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,16 +10,18 @@
 
 #include "datasets/drawing.hpp"
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
+#include "experiments/study/selection.hpp"
 #include "metrics/continuity.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace yoshida;
-
-namespace {
+using study::count_of, study::Findings, study::Key, study::Notes, study::Quantity, study::Row, study::Table;
 
 constexpr std::string_view about =
     "Chains of segments with six control curvatures each. With G1 data a segment knows its neighbours' tangents but "
@@ -29,10 +30,18 @@ constexpr std::string_view about =
     "one control of every segment are solved for. The tangents are given with the points (stand-ins; the paper prints "
     "none), so that both chains have the same. What it costs: extrema of curvature inside segments that had none.";
 
-constexpr int version = 1;
+// ---- what is measured
+
 constexpr std::string_view before = "auto=false,continuity=g1", after = "auto=false,continuity=g2";
 constexpr double visible = 1e-3;   ///< jump of curvature, relative
 constexpr double rounding = 1e-9;  ///< of a jump that is none
+
+const Key control{"control"};
+const Quantity tried = count_of("chains"), solved = count_of("solved"), segments = count_of("segments");
+const Quantity intervals_before = count_of("intervals before"), intervals_after = count_of("intervals after");
+const Quantity jump_before{"jump before", "1", Method::exact}, jump_after{"jump after", "1", Method::exact};
+/// Of a control curvature, times the mean chord.
+const Quantity moved{"control moved", "1", Method::exact};
 
 Input chain_of(const std::vector<std::array<double, 3>>& points) {
   Input input;
@@ -71,101 +80,91 @@ int intervals(const Curve& curve) {
   return count;
 }
 
-void measure(const Scheme& one, const Scheme& other, const Drawing& drawing, store::CellRecord& cell) {
-  for (const Input& input : drawing.curves) {
-    const Fit g1 = one.fit(input), g2 = other.fit(input);
-    study::put(cell, "chains", 1.0);
-    if (!study::solved(g1) || !study::solved(g2)) continue;
-    study::put(cell, "solved", 1.0);
-    const double chord = mean_chord(input);
-    for (const JointJump& jump : joint_jumps(*g1.curve, chord)) study::put(cell, "jump before", jump.curvature);
-    for (const JointJump& jump : joint_jumps(*g2.curve, chord)) {
-      study::put(cell, "joints", 1.0);
-      study::put(cell, "jump after", std::max(0.0, jump.curvature - jump.curvature_uncertainty));
-      study::put(cell, "angle after", jump.angle);
-    }
-    study::put(cell, "segments", g2.curve->size());
-    study::put(cell, "intervals before", intervals(*g1.curve));
-    study::put(cell, "intervals after", intervals(*g2.curve));
-    for (int i = 0; i < g1.curve->size(); ++i) {
-      const auto was = controls_of_segment(g1.curve->segment(i)), is = controls_of_segment(g2.curve->segment(i));
-      for (std::size_t k = 0; k < std::min(was.size(), is.size()); ++k)
-        study::put(cell, fmt::format("control {} moved", k + 1), std::abs(is[k] - was[k]) * chord);
-    }
+void measure(const Uses& uses, const Input& input, Notes& notes) {
+  const Fit g1 = uses.schemes[0]->fit(input), g2 = uses.schemes[1]->fit(input);
+  const bool both = study::solved(g1) && study::solved(g2);
+  notes.row({}, {tried(1), solved(both ? 1 : 0)});
+  if (!both) return;
+  const double chord = mean_chord(input);
+  for (const JointJump& jump : joint_jumps(*g1.curve, chord)) notes.put(jump_before(jump.curvature));
+  for (const JointJump& jump : joint_jumps(*g2.curve, chord))
+    notes.put(jump_after(std::max(0.0, jump.curvature - jump.curvature_uncertainty)));
+  notes.row(
+      {}, {segments(g2.curve->size()), intervals_before(intervals(*g1.curve)), intervals_after(intervals(*g2.curve))});
+  for (int i = 0; i < g1.curve->size(); ++i) {
+    const auto was = controls_of_segment(g1.curve->segment(i)), is = controls_of_segment(g2.curve->segment(i));
+    for (std::size_t k = 0; k < std::min(was.size(), is.size()); ++k)
+      notes.row({control(k + 1)}, {moved(std::abs(is[k] - was[k]) * chord)});
   }
 }
 
-std::string dataset_of(const Drawing& drawing, bool g2) { return fmt::format("{}, {}", drawing.id, g2 ? "G2" : "G1"); }
+void measure_chains(const Uses& uses, Notes& notes) {
+  for (const Input& input : uses.drawings.front().curves) measure(uses, input, notes);
+}
+
+Fit chain_fit(const Uses& uses) { return uses.schemes.front()->fit(uses.drawings.front().curves.front()); }
 
 std::vector<CellJob> jobs(const Context& context) {
-  const SchemePtr one = context.registry.parse(fmt::format("intrinsic:{}", before)),
-                  other = context.registry.parse(fmt::format("intrinsic:{}", after));
+  const SchemePtr g1 = context.registry.parse(fmt::format("intrinsic:{}", before)),
+                  g2 = context.registry.parse(fmt::format("intrinsic:{}", after));
   std::vector<CellJob> jobs;
   for (const Drawing& drawing : chains(context)) {
-    for (const bool g2 : {false, true}) {
-      const SchemePtr scheme = g2 ? other : one;
-      std::ranges::move(drawn_jobs(scheme, dataset_of(drawing, g2), g2 ? "G2" : "G1", version,
-                                   [scheme, input = drawing.curves.front()] { return scheme->fit(input); }),
+    for (const auto& [kind, scheme] : {std::pair("G1", g1), std::pair("G2", g2)})
+      std::ranges::move(drawn_jobs<chain_fit>({.work = "chain", .schemes = {scheme}, .drawings = {drawing}},
+                                              fmt::format("{}, {}", drawing.id, kind), kind),
                         std::back_inserter(jobs));
-    }
-    jobs.push_back(
-        study::study_job(drawing, one, "g1-to-g2", version,
-                         [one, other](const Drawing& d, store::CellRecord& cell) { measure(*one, *other, d, cell); }));
+    jobs.push_back(study::numbers_job<measure_chains>(
+        {.work = "g1-to-g2",
+         .schemes = {g1, g2},
+         .drawings = {drawing},
+         .metrics = {&find_metric("continuity"), &find_metric("monotone_intervals")}}));
   }
   return jobs;
 }
 
-std::vector<std::string> datasets_of(const store::ExperimentRecord& record) {
-  std::vector<std::string> names;
-  for (const store::CellRecord& cell : record.cells)
-    if (measured(cell, "chains")) names.push_back(cell.dataset);
-  return names;
+// ---- what follows
+
+std::vector<std::string> chain_names(const Findings& found) {
+  return found.rows().where_row([](const Row& row) { return row.has(tried); }).words_of(study::key::dataset);
 }
 
-store::TableRecord table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "chains", "From G1 to G2",
-      "Jumps of curvature at joints are relative; intervals of monotone curvature are counted segment by "
-      "segment. Move: of a control curvature, times the mean chord.");
-  builder.words("chain").counts("segments").numbers("largest jump, G1").numbers("largest jump, G2");
-  builder.counts("intervals, G1").counts("intervals, G2").numbers("largest move").numbers("mean move");
-  for (const std::string& dataset : datasets_of(record)) {
-    std::vector<double> moves;
-    for (int k = 1; k <= 6; ++k)
-      std::ranges::copy(study::values(record, fmt::format("control {} moved", k), dataset), std::back_inserter(moves));
-    builder.row(
-        {dataset, study::total(record, "segments", dataset), largest(study::values(record, "jump before", dataset)),
-         largest(study::values(record, "jump after", dataset)), study::total(record, "intervals before", dataset),
-         study::total(record, "intervals after", dataset), largest(moves), mean(moves)});
+Table chain_table(const Findings& found) {
+  Table table("chains", "From G1 to G2",
+              "Jumps of curvature at joints are relative; intervals of monotone curvature are counted segment by "
+              "segment. Move: of a control curvature, times the mean chord.");
+  table.words("chain").counts("segments").numbers("largest jump, G1").numbers("largest jump, G2");
+  table.counts("intervals, G1").counts("intervals, G2").numbers("largest move").numbers("mean move");
+  for (const std::string& chain : chain_names(found)) {
+    const study::Rows rows = found.rows().where({study::key::dataset(chain)});
+    table.row({chain, rows.total(segments), rows.largest(jump_before), rows.largest(jump_after),
+               rows.total(intervals_before), rows.total(intervals_after), rows.largest(moved), rows.mean(moved)});
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord control_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("controls", "How much each control curvature moves", "Over all segments, times the mean chord.");
-  builder.counts("control").counts("segments").numbers("mean move").numbers("largest move");
-  for (int k = 1; k <= 6; ++k) {
-    const auto moves = study::values(record, fmt::format("control {} moved", k));
-    if (!moves.empty())
-      builder.row({static_cast<double>(k), static_cast<double>(moves.size()), mean(moves), largest(moves)});
-  }
-  return builder.table();
+Table control_table(const Findings& found) {
+  Table table("controls", "How much each control curvature moves", "Over all segments, times the mean chord.");
+  table.counts("control").counts("segments").numbers("mean move").numbers("largest move");
+  for (const auto& [k, rows] : found.rows().by(control))
+    table.row({std::get<double>(k), rows.size(), rows.mean(moved), rows.largest(moved)});
+  return table;
 }
 
-store::ClaimRecord g2_claim(const store::ExperimentRecord& record) {
-  const double chains = study::total(record, "chains"), solved = study::total(record, "solved");
-  const auto jumps = study::values(record, "jump after"), was = study::values(record, "jump before");
+void claim_g2(Findings& found) {
+  const study::Rows& rows = found.rows();
+  const auto jumps = rows.values(jump_after), was = rows.values(jump_before);
+  const double chains = rows.total(tried), made = rows.total(solved);
   const auto failing = static_cast<double>(std::ranges::count_if(jumps, [](double j) { return !(j <= rounding); }));
   const auto seen = std::ranges::count_if(was, [](double j) { return j > visible; });
-  return claim("g1-made-g2", study::verdict_for_all(failing + chains - solved, chains),
-               fmt::format("largest relative jump of curvature {:.2g}, before {:.2g}", largest(jumps), largest(was)),
-               fmt::format("{:.0f} of {:.0f} chains solved, {} joints, {} of which jumped visibly before; intervals of "
-                           "monotone curvature {:.0f} before and {:.0f} after.",
-                           solved, chains, jumps.size(), seen, study::total(record, "intervals before"),
-                           study::total(record, "intervals after")));
+  found.claim("g1-made-g2", study::verdict_for_all(failing + chains - made, chains),
+              fmt::format("largest relative jump of curvature {:.2g}, before {:.2g}", rows.largest(jump_after),
+                          rows.largest(jump_before)),
+              fmt::format("{:.0f} of {:.0f} chains solved, {} joints, {} of which jumped visibly before; intervals of "
+                          "monotone curvature {:.0f} before and {:.0f} after.",
+                          made, chains, jumps.size(), seen, rows.total(intervals_before), rows.total(intervals_after)));
 }
 
-std::vector<store::FigureRecord> figures(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{.id = "intrinsic-g1-to-g2",
                              .title = "Chains of segments, G1 and G2",
                              .caption =
@@ -173,29 +172,32 @@ std::vector<store::FigureRecord> figures(const store::ExperimentRecord& record) 
                                  "joint. Right: curvature, control curvatures (squares), knots (ticks).",
                              .columns = 4,
                              .panels = {}};
-  for (const std::string& dataset : datasets_of(record)) {
-    for (const std::string_view kind : {"G1", "G2"})
-      add_curve_panel(figure, record, fmt::format("{}, {}", dataset, kind), fmt::format("{}, {}", dataset, kind));
-    for (const std::string_view kind : {"G1", "G2"})
-      add_curvature_panel(figure, record, fmt::format("{}, {}", dataset, kind), std::string(kind));
+  for (const std::string& chain : chain_names(found)) {
+    for (const std::string kind : {"G1", "G2"})
+      add_curve_panel(figure, found, fmt::format("{}, {}", chain, kind), fmt::format("{}, {}", chain, kind));
+    for (const std::string kind : {"G1", "G2"})
+      add_curvature_panel(figure, found, fmt::format("{}, {}", chain, kind), kind);
   }
-  return figure.panels.empty() ? std::vector<store::FigureRecord>{} : std::vector{std::move(figure)};
+  return figure;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {table(record), control_table(record)};
-  record.figures = figures(record);
-  record.claims = {g2_claim(record)};
+void conclude(Findings& found) {
+  found.add(chain_table(found));
+  found.add(control_table(found));
+  found.add(figure(found));
+  claim_g2(found);
 }
 
 }  // namespace
 
 Experiment intrinsic_g1_to_g2_experiment() {
-  return {.id = "intrinsic-g1-to-g2",
-          .title = "G1 segments made G2 (Yoshida 2022, Fig. 10)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "intrinsic-g1-to-g2",
+                            .title = "G1 segments made G2 (Yoshida 2022, Fig. 10)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"g1-made-g2"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

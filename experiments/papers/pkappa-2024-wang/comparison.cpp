@@ -1,189 +1,144 @@
-#include "experiments/run/experiment.hpp"
-
+// Wang 2024, Fig. 14: what does an eye find wrong with each scheme's curves through four inputs?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
-#include "experiments/papers/pkappa-2024-wang/curve_findings.hpp"
+#include "experiments/papers/pkappa-2024-wang/visible_flaws.hpp"
 #include "experiments/run/record.hpp"
 #include "experiments/study/curve_marks.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/selection.hpp"
 #include "experiments/study/summaries.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace wang;
-
-namespace {
+using study::Findings, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table, study::Tally;
 
 constexpr std::string_view about =
     "Four inputs and every scheme with its curvature comb, as in Fig. 14. What the paper marks by hand with coloured "
     "boxes is found by the program and marked: joints where curvature jumps, points off the extrema of curvature, and "
     "stretches from midpoint to midpoint around a point with more than two intervals of monotone curvature.";
 
-constexpr int version = 1;
-constexpr std::array<std::string_view, 4> inputs{"row-open-7", "row-closed-10", "row-closed-9", "row-closed-7"};
+// ---- what is measured
 
 constexpr std::string_view fit_label = "curve";  ///< one colour for all schemes: the panels have their names
 constexpr std::string_view jump_label = "curvature jumps", off_label = "point off the extrema",
                            many_label = "more than two monotone intervals";
-constexpr double mark_size = 0.16;  ///< mean chords
+const study::Key scheme_key{"scheme"};
+/// Those that depend on distances along the curve are sampled.
+const Quantity joints = study::count_of("joints"), jumps = study::count_of("jumps"),
+               sign_jumps = study::count_of("jumps where curvature changes sign"), points = study::count_of("points"),
+               off_extrema{"points off extrema", "1", Method::sampled},
+               off_peaks{"points off peaks", "1", Method::sampled}, pieces = study::count_of("pieces"),
+               many_intervals{"pieces with more than two", "1", Method::sampled},
+               alternating = study::count_of("alternating spans"),
+               not_monotone{"alternating spans not monotone", "1", Method::sampled};
+const std::array<const Quantity*, 10> counted{&joints,    &jumps,  &sign_jumps,     &points,      &off_extrema,
+                                              &off_peaks, &pieces, &many_intervals, &alternating, &not_monotone};
 
-std::vector<Drawing> drawings(const Context& context) {
-  if (!context.datasets.empty()) return study::drawings_of(context);
-  std::vector<Drawing> found;
-  for (const std::string_view id : inputs) found.push_back(drawing(id));
-  return found;
+/// A cell of marks on the curves of a drawing.
+template <void (*Mark)(const Scheme&, const Fit&, const VisibleFlaws&, store::CellRecord&)>
+void mark(const Uses& uses, store::CellRecord& cell) {
+  const Scheme& scheme = *uses.schemes.front();
+  for (const Input& input : uses.drawings.front().curves)
+    if (const Fit fit = scheme.fit(input); fit.curve) Mark(scheme, fit, visible_flaws(fit), cell);
 }
 
-std::vector<SchemePtr> schemes(const Context& context) {
-  std::vector<SchemePtr> found;
-  if (context.schemes.empty())
-    for (const SchemeInfo& info : context.registry.list()) found.push_back(context.registry.create(info.id));
-  for (const std::string& text : context.schemes) found.push_back(context.registry.parse(text));
-  return found;
+void ring(const std::vector<Vec2>& places, const Fit& fit, int corners, store::CellRecord& cell) {
+  constexpr double size = 0.16;  // mean chords
+  for (const Vec2& place : places) cell.curves.push_back(ring_around(place, size * mean_chord(fit.input), corners));
 }
 
-/// The counts of the table, with the marks of the joints.
-void put_counts(const Findings& found, store::CellRecord& cell) {
-  study::put(cell, "joints", found.joints);
-  study::put(cell, "jumps", static_cast<double>(found.jumps.size()));
-  study::put(cell, "jumps where curvature changes sign", found.jumps_at_sign_changes);
-  study::put(cell, "points", found.points);
-  study::put(cell, "points off extrema", static_cast<double>(found.off_extrema.size()));
-  study::put(cell, "points off peaks", found.points_off_peaks);
-  study::put(cell, "pieces", found.pieces);
-  study::put(cell, "pieces with more than two", static_cast<double>(found.many_intervals.size()));
-  study::put(cell, "alternating spans", found.alternating_spans);
-  study::put(cell, "alternating spans not monotone", found.alternating_not_monotone);
+/// With the counts of everything, for the table.
+void mark_jumps(const Scheme& scheme, const Fit& fit, const VisibleFlaws& flaws, store::CellRecord& cell) {
+  ring(flaws.jumps, fit, 24, cell);
+  Notes(cell).row({scheme_key(label_of(scheme))},
+                  {joints(flaws.joints), jumps(flaws.jumps.size()), sign_jumps(flaws.jumps_at_sign_changes),
+                   points(flaws.points), off_extrema(flaws.off_extrema.size()), off_peaks(flaws.points_off_peaks),
+                   pieces(flaws.pieces), many_intervals(flaws.many_intervals.size()),
+                   alternating(flaws.alternating_spans), not_monotone(flaws.alternating_not_monotone)});
 }
 
-using Draw = std::function<void(const Scheme&, const Fit&, const Findings&, store::CellRecord&)>;
-
-void draw_jumps(const Scheme&, const Fit& fit, const Findings& found, store::CellRecord& cell) {
-  put_counts(found, cell);
-  for (const Vec2& place : found.jumps)
-    cell.curves.push_back(ring_around(place, mark_size * mean_chord(fit.input), 24));
+void mark_off(const Scheme&, const Fit& fit, const VisibleFlaws& flaws, store::CellRecord& cell) {
+  ring(flaws.off_extrema, fit, 4, cell);
 }
 
-void draw_off(const Scheme&, const Fit& fit, const Findings& found, store::CellRecord& cell) {
-  for (const Vec2& place : found.off_extrema)
-    cell.curves.push_back(ring_around(place, mark_size * mean_chord(fit.input), 4));
-}
-
-void draw_many(const Scheme& scheme, const Fit& fit, const Findings& found, store::CellRecord& cell) {
+void mark_many(const Scheme& scheme, const Fit& fit, const VisibleFlaws& flaws, store::CellRecord& cell) {
   const store::CurveRecord whole = record_of(scheme, fit, {});
-  for (const auto& [start, end] : found.many_intervals) cell.curves.push_back(stretch_of(whole, start, end));
-}
-
-CellJob mark_job(const Drawing& points, const SchemePtr& scheme, std::string_view label, const Draw& draw) {
-  CellJob job =
-      study::study_job(points, scheme, label, version, [scheme, draw](const Drawing& d, store::CellRecord& cell) {
-        for (const Input& input : d.curves)
-          if (const Fit fit = scheme->fit(input); fit.curve) draw(*scheme, fit, findings(fit), cell);
-      });
-  job.label = label;
-  return job;
+  for (const auto& [start, end] : flaws.many_intervals) cell.curves.push_back(stretch_of(whole, start, end));
 }
 
 /// For each drawing and scheme four cells: the fit with all metrics, then the marks.
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
-  const auto metrics = study::metrics_of(context);
-  for (const Drawing& points : drawings(context))
-    for (const SchemePtr& scheme : schemes(context)) {
-      jobs.push_back(fit_job(points, scheme, metrics));
-      jobs.back().label = fit_label;
-      jobs.push_back(mark_job(points, scheme, many_label, draw_many));
-      jobs.push_back(mark_job(points, scheme, jump_label, draw_jumps));
-      jobs.push_back(mark_job(points, scheme, off_label, draw_off));
+  const std::vector<const Metric*> searched{&find_metric("continuity"), &find_metric("monotone_intervals"),
+                                            &find_metric("extremum_offset")};
+  for (const Drawing& drawing :
+       study::drawings_or(context, {"row-open-7", "row-closed-10", "row-closed-9", "row-closed-7"}))
+    for (const SchemePtr& scheme : study::schemes_of(context)) {
+      jobs.push_back(fit_job(drawing, scheme, study::metrics_of(context), std::string(fit_label)));
+      const auto add = [&](std::string_view label, void (*compute)(const Uses&, store::CellRecord&)) {
+        jobs.push_back({.dataset = drawing.id,
+                        .label = std::string(label),
+                        .uses = {.work = fmt::format("marks: {}", label),
+                                 .schemes = {scheme},
+                                 .drawings = {drawing},
+                                 .metrics = searched},
+                        .compute = compute});
+      };
+      add(many_label, mark<mark_many>);
+      add(jump_label, mark<mark_jumps>);
+      add(off_label, mark<mark_off>);
     }
   return jobs;
 }
 
-bool is_mark(const store::CellRecord& cell) {
-  return cell.label == jump_label || cell.label == off_label || cell.label == many_label;
-}
+// ---- what follows
 
-/// A fit and the cells that mark it.
+/// A fit and the cells with marks on it.
 struct Shown {
   int cell;
+  std::string dataset, scheme;  ///< as it is labelled
   std::vector<int> marks{};
-  std::string label{};
-  std::string dataset{};
 };
 
-std::string scheme_label(const Context& context, const store::CellRecord& cell) {
-  const std::string parameters = cell.parameters.empty() ? "" : ":" + cell.parameters;
-  return label_of(*context.registry.parse(cell.scheme + parameters));
-}
-
-std::vector<Shown> shown_of(const Context& context, const store::ExperimentRecord& record) {
+std::vector<Shown> shown_fits(const Findings& found) {
   std::vector<Shown> all;
-  for (std::size_t i = 0; i < record.cells.size(); ++i) {
-    const store::CellRecord& cell = record.cells[i];
-    if (!is_mark(cell)) {
-      all.push_back({.cell = static_cast<int>(i), .label = scheme_label(context, cell), .dataset = cell.dataset});
-      continue;
-    }
-    for (Shown& shown : all) {
-      const store::CellRecord& fit = record.cells[static_cast<std::size_t>(shown.cell)];
-      if (fit.dataset == cell.dataset && fit.scheme == cell.scheme && fit.parameters == cell.parameters)
-        shown.marks.push_back(static_cast<int>(i));
-    }
+  for (const int fit : found.labelled(fit_label)) {
+    const store::CellRecord& cell = found.cell(fit);
+    const std::string text = cell.parameters.empty() ? cell.scheme : cell.scheme + ":" + cell.parameters;
+    all.push_back({fit, cell.dataset, label_of(*found.context().registry.parse(text))});
+    for (const std::string_view label : {many_label, jump_label, off_label})
+      for (const int i : found.labelled(label)) {
+        const store::CellRecord& marks = found.cell(i);
+        if (marks.dataset == cell.dataset && marks.scheme == cell.scheme && marks.parameters == cell.parameters &&
+            !marks.curves.empty())
+          all.back().marks.push_back(i);
+      }
   }
   return all;
 }
 
-/// The cells and how they belong together.
-struct Results {
-  const store::ExperimentRecord& record;
-  std::vector<Shown> shown;
+double metric(const Findings& found, const Shown& fit, std::string_view column) {
+  const auto& curves = found.cell(fit.cell).curves;
+  return curves.empty() ? undefined : measured(curves.front(), column).value_or(undefined);
+}
 
-  [[nodiscard]] const store::CellRecord& cell(int i) const { return record.cells[static_cast<std::size_t>(i)]; }
+double metric(const Findings& found, std::string_view dataset, std::string_view scheme, std::string_view column) {
+  for (const Shown& fit : shown_fits(found))
+    if (fit.dataset == dataset && fit.scheme == scheme) return metric(found, fit, column);
+  return undefined;
+}
 
-  /// The count of a fit; NaN without a curve.
-  [[nodiscard]] double count(const Shown& fit, std::string_view column) const {
-    for (const int mark : fit.marks)
-      if (const auto value = measured(cell(mark), column)) return *value;
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-
-  /// Sum of the counts of a scheme.
-  [[nodiscard]] double total(std::string_view label, std::string_view column) const {
-    double sum = 0.0;
-    for (const Shown& fit : shown)
-      if (const double n = count(fit, column); fit.label == label && !std::isnan(n)) sum += n;
-    return sum;
-  }
-
-  /// A metric of a fit, by drawing and scheme; NaN if there is none.
-  [[nodiscard]] double metric(std::string_view dataset, std::string_view label, std::string_view column) const {
-    for (const Shown& fit : shown)
-      if (fit.dataset == dataset && fit.label == label && !cell(fit.cell).curves.empty())
-        return measured(cell(fit.cell).curves.front(), column).value_or(std::numeric_limits<double>::quiet_NaN());
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-};
-
-constexpr std::array<std::string_view, 10> counted_columns{"joints",
-                                                           "jumps",
-                                                           "jumps where curvature changes sign",
-                                                           "points",
-                                                           "points off extrema",
-                                                           "points off peaks",
-                                                           "pieces",
-                                                           "pieces with more than two",
-                                                           "alternating spans",
-                                                           "alternating spans not monotone"};
-
-store::TableRecord findings_table(const Results& results) {
-  TableBuilder builder(
+Table flaw_table(const Findings& found) {
+  Table table(
       "findings", "What the paper marks by hand, found",
       fmt::format(
           "Jumps: relative change of curvature at a joint above {:g}. Off the extrema: farther than {:g} of the "
@@ -191,153 +146,146 @@ store::TableRecord findings_table(const Results& results) {
           "midpoint around a point. Alternating spans: between points with curvature of opposite signs. "
           "Reversals of curvature below {:g} of its range are ignored.",
           visible_jump, visible_offset, visible_reversal));
-  builder.words("dataset").words("scheme").words("outcome");
-  for (const std::string_view column : counted_columns) builder.counts(std::string(column));
-  builder.numbers("curvature_variation").numbers("mvc_energy");
-  for (const Shown& fit : results.shown) {
-    const store::CellRecord& cell = results.cell(fit.cell);
-    std::vector<TableBuilder::Cell> row{fit.dataset, fit.label, cell.outcome};
-    for (const std::string_view column : counted_columns) row.emplace_back(results.count(fit, column));
+  table.words("dataset").words("scheme").words("outcome");
+  for (const Quantity* count : counted) table.counts(count->name);
+  table.numbers("curvature_variation").numbers("mvc_energy");
+  for (const Shown& fit : shown_fits(found)) {
+    std::vector<study::TableValue> row{fit.dataset, fit.scheme, found.cell(fit.cell).outcome};
+    const Rows own = found.rows().where({study::key::dataset(fit.dataset), scheme_key(fit.scheme)});
+    for (const Quantity* count : counted) row.emplace_back(own.empty() ? undefined : own.total(*count));
     for (const std::string_view column : {"curvature_variation", "mvc_energy"})
-      row.emplace_back(results.metric(fit.dataset, fit.label, column));
-    builder.row(row);
+      row.emplace_back(metric(found, fit, column));
+    table.row(row);
   }
-  return builder.table();
+  return table;
 }
 
-store::FigureRecord figure(const std::string& dataset, const std::vector<Shown>& shown) {
-  store::FigureRecord figure{.id = "pkappa-comparison-" + dataset,
-                             .title = dataset,
-                             .caption =
-                                 "Each scheme with its curvature comb, all panels to one scale. Circles: curvature "
-                                 "jumps. Diamonds: points off the extrema of curvature. In another colour: pieces with "
-                                 "more than two intervals of monotone curvature.",
-                             .columns = 4,
-                             .panels = {}};
-  for (const Shown& s : shown) {
-    if (s.dataset != dataset) continue;
-    std::vector<int> cells{s.cell};
-    std::ranges::copy(s.marks, std::back_inserter(cells));
-    store::PanelRecord panel = curve_panel(std::move(cells), s.label, true);
-    panel.joints = false;
-    figure.panels.push_back(std::move(panel));
+void add_figures(Findings& found) {
+  const std::vector<Shown> shown = shown_fits(found);
+  for (const std::string& dataset : found.drawn()) {
+    store::FigureRecord figure{
+        .id = "pkappa-comparison-" + dataset,
+        .title = dataset,
+        .caption =
+            "Each scheme with its curvature comb, all panels to one scale. Circles: curvature "
+            "jumps. Diamonds: points off the extrema of curvature. In another colour: pieces with "
+            "more than two intervals of monotone curvature.",
+        .columns = 4,
+        .panels = {}};
+    for (const Shown& fit : shown) {
+      if (fit.dataset != dataset) continue;
+      std::vector<int> cells{fit.cell};
+      std::ranges::copy(fit.marks, std::back_inserter(cells));
+      figure.panels.push_back(Panel::curves(std::move(cells), fit.scheme).comb().without_joints());
+    }
+    found.add(std::move(figure));
   }
-  return figure;
 }
 
-std::vector<store::FigureRecord> figures(const Results& results) {
-  std::vector<Shown> shown = results.shown;
-  for (Shown& s : shown) std::erase_if(s.marks, [&](int mark) { return results.cell(mark).curves.empty(); });
-  std::vector<std::string> datasets;
-  for (const Shown& s : shown)
-    if (std::ranges::find(datasets, s.dataset) == datasets.end()) datasets.push_back(s.dataset);
-  std::vector<store::FigureRecord> figures;
-  for (const std::string& dataset : datasets) figures.push_back(figure(dataset, shown));
-  return figures;
+// ---- the claims of Section 6.3
+
+/// The paper's four kinds of curves by their counts, summed over the inputs.
+double total(const Findings& found, std::string_view scheme, const Quantity& what) {
+  return found.rows().where({scheme_key(scheme)}).total(what);
 }
 
-// --- Section 6.3 ---
+/// "kappa 1, yuksel 2".
+std::string totals(const Findings& found, std::initializer_list<std::string_view> schemes, const Quantity& what) {
+  std::vector<std::string> words;
+  for (const std::string_view scheme : schemes)
+    words.push_back(fmt::format("{} {:.0f}", scheme, total(found, scheme, what)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
 
 /// κ-curves jump, and only where curvature changes sign.
-store::ClaimRecord jumps_claim(const Results& results) {
-  const double jumps = results.total("kappa", "jumps");
-  const double there = results.total("kappa", "jumps where curvature changes sign");
-  return claim(
-      "kappa-jumps-at-inflections", study::verdict_for_all(jumps - there, jumps),
-      fmt::format("{:.0f} jumps, {:.0f} of them at inflections", jumps, there),
-      fmt::format("{:.0f} joints of the kappa-curves through the four inputs.", results.total("kappa", "joints")));
+void claim_jumps(Findings& found) {
+  const Tally there{.agree = total(found, "kappa", sign_jumps), .cases = total(found, "kappa", jumps)};
+  found.claim("kappa-jumps-at-inflections", there.always(),
+              fmt::format("{:.0f} jumps, {:.0f} of them at inflections", there.cases, there.agree),
+              fmt::format("{:.0f} joints of the kappa-curves through the four inputs.", total(found, "kappa", joints)));
 }
 
-store::ClaimRecord smooth_claim(const Results& results) {
-  double jumps = 0.0, joints = 0.0;
-  for (const std::string_view label : {"yuksel", "clothoid3", "pkappa"}) {
-    jumps += results.total(label, "jumps");
-    joints += results.total(label, "joints");
+void claim_smooth(Findings& found) {
+  double all_jumps = 0.0, all_joints = 0.0;
+  for (const std::string_view scheme : {"yuksel", "clothoid3", "pkappa"}) {
+    all_jumps += total(found, scheme, jumps);
+    all_joints += total(found, scheme, joints);
   }
-  return claim("others-do-not-jump", study::verdict_for_all(jumps, joints),
-               fmt::format("{:.0f} jumps at {:.0f} joints", jumps, joints),
-               fmt::format("Jumps: yuksel {:.0f}, clothoid3 {:.0f}, pkappa {:.0f}.", results.total("yuksel", "jumps"),
-                           results.total("clothoid3", "jumps"), results.total("pkappa", "jumps")));
+  found.claim("others-do-not-jump", study::verdict_for_all(all_jumps, all_joints),
+              fmt::format("{:.0f} jumps at {:.0f} joints", all_jumps, all_joints),
+              fmt::format("Jumps: {}.", totals(found, {"yuksel", "clothoid3", "pkappa"}, jumps)));
 }
 
 /// An extremum can be read as any, or as a peak of |kappa|: the weaker verdict of the two readings.
-store::ClaimRecord off_claim(const Results& results) {
-  const double points = results.total("yuksel", "points");
-  const Tally off{.agree = results.total("yuksel", "points off extrema"), .cases = points};
-  const Tally off_peaks{.agree = results.total("yuksel", "points off peaks"), .cases = points};
-  const std::string verdict = verdict_often(off), of_peaks = verdict_often(off_peaks);
-  const auto others = [&](std::string_view column) {
-    return fmt::format("kappa {:.0f}, clothoid3 {:.0f}, pkappa {:.0f}", results.total("kappa", column),
-                       results.total("clothoid3", column), results.total("pkappa", column));
-  };
-  return claim("yuksel-off-extrema", verdict == of_peaks ? verdict : "not reproduced",
-               fmt::format("{} points off every extremum, {} off every peak of |kappa|",
-                           study::share(off.agree, points), study::share(off_peaks.agree, points)),
-               fmt::format("Off: farther than {:g} of the local chord. Where the first reading alone fails, points "
-                           "are at a dip between two peaks. Others off every extremum: {}; off every peak: {}.",
-                           visible_offset, others("points off extrema"), others("points off peaks")));
+void claim_off(Findings& found) {
+  const double cases = total(found, "yuksel", points);
+  const Tally extrema{.agree = total(found, "yuksel", off_extrema), .cases = cases};
+  const Tally peaks{.agree = total(found, "yuksel", off_peaks), .cases = cases};
+  found.claim("yuksel-off-extrema", extrema.often() == peaks.often() ? extrema.often() : "not reproduced",
+              fmt::format("{} points off every extremum, {} off every peak of |kappa|", extrema.words(), peaks.words()),
+              fmt::format("Off: farther than {:g} of the local chord. Where the first reading alone fails, points "
+                          "are at a dip between two peaks. Others off every extremum: {}; off every peak: {}.",
+                          visible_offset, totals(found, {"kappa", "clothoid3", "pkappa"}, off_extrema),
+                          totals(found, {"kappa", "clothoid3", "pkappa"}, off_peaks)));
 }
 
 /// "Multiple" stretches: two at least. None at all is a contradiction.
-store::ClaimRecord many_claim(const Results& results) {
-  const double many = results.total("clothoid3", "pieces with more than two");
-  return claim("clothoid3-many-intervals",
-               many >= 2.0                                                 ? "reproduced"
-               : many == 0.0 && results.total("clothoid3", "pieces") > 0.0 ? "contradicted"
-                                                                           : "not reproduced",
-               fmt::format("{:.0f} of {:.0f} pieces", many, results.total("clothoid3", "pieces")),
-               fmt::format("Pieces around points with more than two intervals of monotone curvature: kappa {:.0f}, "
-                           "yuksel {:.0f}, clothoid3 {:.0f}, pkappa {:.0f}.",
-                           results.total("kappa", "pieces with more than two"),
-                           results.total("yuksel", "pieces with more than two"), many,
-                           results.total("pkappa", "pieces with more than two")));
+void claim_many(Findings& found) {
+  const double many = total(found, "clothoid3", many_intervals), of = total(found, "clothoid3", pieces);
+  found.claim("clothoid3-many-intervals",
+              many >= 2.0               ? "reproduced"
+              : many == 0.0 && of > 0.0 ? "contradicted"
+                                        : "not reproduced",
+              fmt::format("{:.0f} of {:.0f} pieces", many, of),
+              fmt::format("Pieces around points with more than two intervals of monotone curvature: {}.",
+                          totals(found, {"kappa", "yuksel", "clothoid3", "pkappa"}, many_intervals)));
 }
 
-store::ClaimRecord alternating_claim(const Results& results) {
-  const double spans = results.total("clothoid3", "alternating spans");
-  const double against = results.total("clothoid3", "alternating spans not monotone");
-  return claim("clothoid3-monotone-if-alternating", study::verdict_for_all(against, spans),
-               fmt::format("{} spans", study::share(spans - against, spans)),
-               "Spans of the four clothoid curves between points with curvature of opposite signs.");
+void claim_alternating(Findings& found) {
+  const double spans = total(found, "clothoid3", alternating);
+  const Tally monotone{.agree = spans - total(found, "clothoid3", not_monotone), .cases = spans};
+  found.claim("clothoid3-monotone-if-alternating", monotone.always(), fmt::format("{} spans", monotone.words()),
+              "Spans of the four clothoid curves between points with curvature of opposite signs.");
 }
 
 /// Less abrupt: the integral of (d kappa / ds)^2 of the pκ-curve is below that of both others.
-store::ClaimRecord uniform_claim(const Results& results) {
+void claim_uniform(Findings& found) {
   Tally lower;
   std::vector<std::string> numbers;
-  const auto energy = [&](const std::string& dataset, std::string_view label) {
-    return results.metric(dataset, label, "mvc_energy");
-  };
-  for (const Shown& s : results.shown) {
-    if (s.label != "pkappa") continue;
-    const double own = energy(s.dataset, "pkappa"), k = energy(s.dataset, "kappa"), y = energy(s.dataset, "yuksel");
+  for (const Shown& fit : shown_fits(found)) {
+    if (fit.scheme != "pkappa") continue;
+    const double own = metric(found, fit, "mvc_energy"), k = metric(found, fit.dataset, "kappa", "mvc_energy"),
+                 y = metric(found, fit.dataset, "yuksel", "mvc_energy");
     if (std::isnan(own) || std::isnan(k) || std::isnan(y)) continue;
     lower.add(own < k && own < y);
-    numbers.push_back(fmt::format("{}: {:.3g} against {:.3g} and {:.3g}", s.dataset, own, k, y));
+    numbers.push_back(fmt::format("{}: {:.3g} against {:.3g} and {:.3g}", fit.dataset, own, k, y));
   }
-  return claim("pkappa-more-uniform", study::verdict_for_all(lower.cases - lower.agree, lower.cases),
-               fmt::format("lower on {:.0f} of {:.0f} inputs", lower.agree, lower.cases),
-               fmt::format("L^3 times the integral of (d kappa / ds)^2, jumps not counted, pkappa against kappa and "
-                           "yuksel. {}.",
-                           fmt::join(numbers, "; ")));
+  found.claim("pkappa-more-uniform", lower.always(),
+              fmt::format("lower on {:.0f} of {:.0f} inputs", lower.agree, lower.cases),
+              fmt::format("L^3 times the integral of (d kappa / ds)^2, jumps not counted, pkappa against kappa and "
+                          "yuksel. {}.",
+                          fmt::join(numbers, "; ")));
 }
 
-void conclude(const Context& context, store::ExperimentRecord& record) {
-  const Results results{record, shown_of(context, record)};
-  record.tables = {findings_table(results)};
-  record.figures = figures(results);
-  record.claims = {jumps_claim(results), smooth_claim(results),      off_claim(results),
-                   many_claim(results),  alternating_claim(results), uniform_claim(results)};
+void conclude(Findings& found) {
+  found.add(flaw_table(found));
+  add_figures(found);
+  for (const auto claim : {claim_jumps, claim_smooth, claim_off, claim_many, claim_alternating, claim_uniform})
+    claim(found);
 }
 
 }  // namespace
 
 Experiment pkappa_comparison_experiment() {
-  return {.id = "pkappa-comparison",
-          .title = "Four inputs, every scheme (Wang 2024, Fig. 14)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment(
+      {.id = "pkappa-comparison",
+       .title = "Four inputs, every scheme (Wang 2024, Fig. 14)",
+       .about = std::string(about),
+       .paper = std::string(paper),
+       .claims = {"kappa-jumps-at-inflections", "others-do-not-jump", "yuksel-off-extrema", "clothoid3-many-intervals",
+                  "clothoid3-monotone-if-alternating", "pkappa-more-uniform"},
+       .jobs = jobs,
+       .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -1,23 +1,25 @@
-#include "experiments/run/experiment.hpp"
-
+// Wang 2024, Fig. 13: what do C1, G1, C2 and G2 joints make of the same points?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "datasets/random_points.hpp"
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
+#include "experiments/papers/pkappa-2024-wang/energies.hpp"
+#include "experiments/papers/pkappa-2024-wang/inputs.hpp"
+#include "experiments/papers/pkappa-2024-wang/two_ways.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/summaries.hpp"
 #include "metrics/continuity.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace wang;
-
-namespace {
+using study::Findings, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table, study::Tally;
 
 constexpr std::string_view about =
     "The same drawing with C1, G1, C2 and G2 joints, as in Fig. 13. Then random curves of ten points for each, open "
@@ -41,229 +43,225 @@ struct Sort {
 constexpr std::array<Sort, 3> sorts{{{"open, local", "local", false, 40},
                                      {"closed, global", "global", true, 16},
                                      {"closed, local", "local", true, 12}}};
-
-constexpr std::string_view shown = "duck";
-constexpr int version = 2, points = 10;
-constexpr double tight = 1.0;
+/// Chords that differ up to a thousand times: C2 alone, because they take long.
 constexpr Sort uneven{"open, local, uneven", "local", false, 8};
+/// Those that the paper recommends: open curves window by window, closed ones all at once.
+constexpr std::array usual_sorts{sorts[0], sorts[1]};
 
-std::string label_of_sweep(const Kind& kind, const Sort& sort) { return fmt::format("{}, {}", kind.words, sort.words); }
+std::string label_of(const Kind& kind, const Sort& sort) { return fmt::format("{}, {}", kind.words, sort.words); }
 
-void measure(const Scheme& scheme, const Input& input, store::CellRecord& cell) {
-  const auto put = [&cell](std::string column, double value, Method method) {
-    study::put(cell, std::move(column), value, method);
-  };
+// ---- what is measured
+
+constexpr int points = 10;
+constexpr std::string_view shown = "duck";
+const Quantity was_solved = study::count_of("solved"), segments = study::count_of("segments"),
+               missed = study::count_of("missed joints"), scaled_energy{"mean E", "1", Method::sampled},
+               few_intervals{"segments_with_at_most_two_intervals", "1", Method::exact},
+               offset{"extremum_offset_mean", "chords", Method::sampled};
+
+double metric_of(std::string_view metric, const Quantity& column, const Scheme& scheme, const Fit& fit) {
+  for (const Measurement& m : find_metric(metric).measure(scheme, fit))
+    if (m.column == column.name) return m.value;
+  return undefined;
+}
+
+void measure(const Scheme& scheme, const Input& input, int index, Notes& notes) {
   const Fit fit = scheme.fit(input);
   const bool solved = study::solved(fit);
-  put("solved", solved ? 1.0 : 0.0, Method::exact);
-  // One value a curve in every column, so that curves can be compared across cells.
-  const double nothing = std::nan("");
-  put("mean E", solved ? mean(parabola_energies(*fit.curve)) * mean_chord(input) : nothing, Method::sampled);
+  notes.row({curve_number(index)},
+            {was_solved(solved ? 1 : 0), scaled_energy(mean_energy_of(fit) * mean_chord(input))});
   if (!solved) return;
-  double missed = 0.0;
-  for (const JointJump& jump : joint_jumps(*fit.curve, mean_chord(input))) missed += jump.meets_claim() ? 0.0 : 1.0;
-  put("missed joints", missed, Method::exact);
-  for (const Metric* metric : {&find_metric("monotone_intervals"), &find_metric("extremum_offset")})
-    for (const Measurement& m : metric->measure(scheme, fit))
-      if (m.column == "segments_with_at_most_two_intervals" || m.column == "extremum_offset_mean")
-        put(m.column, m.value, m.method);
-  put("segments", fit.curve->size(), Method::exact);
+  const auto jumps = joint_jumps(*fit.curve, mean_chord(input));
+  notes.row({curve_number(index)},
+            {missed(std::ranges::count_if(jumps, [](const JointJump& jump) { return !jump.meets_claim(); })),
+             few_intervals(metric_of("monotone_intervals", few_intervals, scheme, fit)),
+             offset(metric_of("extremum_offset", offset, scheme, fit)), segments(fit.curve->size())});
+}
+
+void measure_usual(const Uses& uses, Notes& notes) {
+  const bool closed = uses.words.at("curves") == "closed";
+  for (int i = 0; i < uses.numbers.at("inputs"); ++i)
+    measure(*uses.schemes.front(), random_curve(uses.seed, i, points, closed), i, notes);
+}
+
+void measure_uneven(const Uses& uses, Notes& notes) {
+  for (int i = 0; i < uses.numbers.at("inputs"); ++i)
+    measure(*uses.schemes.front(),
+            random_input(RandomKind::uneven, points, uses.seed + static_cast<std::uint64_t>(i), false), i, notes);
+}
+
+Uses uses_of(const Context& context, const Kind& kind, const Sort& sort) {
+  return {.work = "continuity of random curves",
+          .version = 2,
+          .schemes = {pkappa(context.registry, fmt::format("continuity={},mode={}", kind.option, sort.mode))},
+          .metrics = {&find_metric("parabola_energy"), &find_metric("continuity"), &find_metric("monotone_intervals"),
+                      &find_metric("extremum_offset")},
+          .seed = context.seed,
+          .numbers = {{"inputs", sort.curves}},
+          .words = {{"curves", sort.closed ? "closed" : "open"}}};
 }
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
-  const Drawing points_of = drawing(shown);
-  const std::vector<const Metric*> metrics{&find_metric("parabola_energy"), &find_metric("continuity")};
-  for (const Kind& kind : kinds) {
-    jobs.push_back(fit_job(points_of, pkappa(context.registry, fmt::format("continuity={}", kind.option)), metrics));
-    jobs.back().label = kind.words;
-  }
-  const std::uint64_t seed = context.seed;
+  for (const Kind& kind : kinds)
+    jobs.push_back(fit_job(drawing(shown), pkappa(context.registry, fmt::format("continuity={}", kind.option)),
+                           {&find_metric("parabola_energy"), &find_metric("continuity")}, std::string(kind.words)));
   for (const Sort& sort : sorts)
-    for (const Kind& kind : kinds) {
-      const SchemePtr scheme = pkappa(context.registry, fmt::format("continuity={},mode={}", kind.option, sort.mode));
-      jobs.push_back(sweep_job(fmt::format("random, {} points, seed {}", points, seed), scheme,
-                               label_of_sweep(kind, sort), version, sort.curves,
-                               [scheme, seed, closed = sort.closed](int index, store::CellRecord& cell) {
-                                 measure(*scheme, random_curve(seed, index, points, closed), cell);
-                               }));
-    }
-  // Chords that differ up to a thousand times: C2 alone, because they take long.
-  const SchemePtr scheme = pkappa(context.registry, "");
-  jobs.push_back(sweep_job(fmt::format("random:uneven, {} points, seed {}", points, seed), scheme,
-                           label_of_sweep(kinds[2], uneven), version, uneven.curves,
-                           [scheme, seed](int index, store::CellRecord& cell) {
-                             const auto own = seed + static_cast<std::uint64_t>(index);
-                             measure(*scheme, random_input(RandomKind::uneven, points, own, false), cell);
-                           }));
+    for (const Kind& kind : kinds)
+      jobs.push_back(study::numbers_job<measure_usual>(uses_of(context, kind, sort),
+                                                       fmt::format("random, {} points, seed {}", points, context.seed),
+                                                       label_of(kind, sort)));
+  jobs.push_back(study::numbers_job<measure_uneven>(
+      uses_of(context, kinds[2], uneven), fmt::format("random:uneven, {} points, seed {}", points, context.seed),
+      label_of(kinds[2], uneven)));
   return jobs;
 }
 
-std::vector<double> column_of(const store::ExperimentRecord& record, const Kind& kind, const Sort& sort,
-                              std::string_view column) {
-  std::vector<double> all;
-  for (const int c : cells_labelled(record, label_of_sweep(kind, sort)))
-    for (const store::MeasurementRecord& m : record.cells[static_cast<std::size_t>(c)].measurements)
-      if (m.column == column) all.push_back(m.value);
-  return all;
-}
+// ---- what follows
 
-double sum(const std::vector<double>& values) {
-  double total = 0.0;
-  for (const double v : values) total += v;
-  return total;
+Rows rows_of(const Findings& found, const Kind& kind, const Sort& sort) {
+  return found.rows().where({study::key::label(label_of(kind, sort))});
 }
 
 /// Segments with at most two intervals.
-Tally few_intervals(const store::ExperimentRecord& record, const Kind& kind, const Sort& sort) {
-  const auto shares = column_of(record, kind, sort, "segments_with_at_most_two_intervals");
-  const auto segments = column_of(record, kind, sort, "segments");
+Tally few_of(const Rows& rows) {
   Tally tally;
-  for (std::size_t i = 0; i < std::min(shares.size(), segments.size()); ++i) {
-    tally.cases += segments[i];
-    tally.agree += shares[i] * segments[i];
-  }
+  for (const study::Row* row : rows)
+    if (row->has(few_intervals))
+      tally += {.agree = (*row)[few_intervals] * (*row)[segments], .cases = (*row)[segments]};
   return tally;
 }
 
-store::TableRecord random_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "random", "Random curves by continuity",
-      fmt::format("Random curves of {} points (walks, stars, zigzags, spirals). "
-                  "Median over the solved curves of mean E_p times mean chord; share of all "
-                  "segments with at most two intervals of monotone curvature; median over curves of the "
-                  "mean distance from a point to the nearest extremum of curvature over the chord; "
-                  "joints that miss their continuity. Uneven: {} curves whose chords differ up to a "
-                  "thousand times. Tight: solved curves whose mean E_p times mean chord is "
-                  "above {:g}, from a turn so tight that the quadrature of the energy misses it.",
-                  points, uneven.curves, tight));
-  builder.words("continuity")
-      .words("curves")
-      .counts("tried")
-      .counts("solved")
-      .counts("tight")
-      .numbers("mean E, median");
-  builder.numbers("at most two intervals").numbers("offset of points").counts("missed joints");
+Table random_table(const Findings& found) {
+  /// Mean E_p times mean chord, from a turn so tight that the quadrature of the energy misses it.
+  constexpr double tight = 1.0;
+  Table table("random", "Random curves by continuity",
+              fmt::format("Random curves of {} points (walks, stars, zigzags, spirals). "
+                          "Median over the solved curves of mean E_p times mean chord; share of all "
+                          "segments with at most two intervals of monotone curvature; median over curves of the "
+                          "mean distance from a point to the nearest extremum of curvature over the chord; "
+                          "joints that miss their continuity. Uneven: {} curves whose chords differ up to a "
+                          "thousand times. Tight: solved curves whose mean E_p times mean chord is "
+                          "above {:g}, from a turn so tight that the quadrature of the energy misses it.",
+                          points, uneven.curves, tight));
+  table.words("continuity").words("curves").counts("tried").counts("solved").counts("tight");
+  table.numbers("mean E, median").numbers("at most two intervals").numbers("offset of points").counts("missed joints");
   for (const Sort& sort : {sorts[0], sorts[1], sorts[2], uneven})
-    for (const Kind& kind : kinds)
-      if (const auto solved = column_of(record, kind, sort, "solved"); !solved.empty()) {
-        const auto energies = column_of(record, kind, sort, "mean E");
-        const Tally few = few_intervals(record, kind, sort);
-        const auto is_tight = [](double e) { return e > tight; };
-        builder.row({std::string(kind.words), std::string(sort.words), static_cast<double>(solved.size()), sum(solved),
-                     static_cast<double>(std::ranges::count_if(energies, is_tight)), median(energies),
-                     few.agree / few.cases, median(column_of(record, kind, sort, "extremum_offset_mean")),
-                     sum(column_of(record, kind, sort, "missed joints"))});
-      }
-  return builder.table();
+    for (const Kind& kind : kinds) {
+      const Rows rows = rows_of(found, kind, sort);
+      const std::vector<double> energies = rows.values(scaled_energy);
+      if (energies.empty()) continue;
+      table.row({kind.words, sort.words, energies.size(), rows.total(was_solved),
+                 std::ranges::count_if(energies, [](double e) { return e > tight; }), rows.median(scaled_energy),
+                 few_of(rows).share(), rows.median(offset), rows.total(missed)});
+    }
+  return table;
 }
 
-/// Mean and largest E_p over all segments of the drawing.
-struct Energy {
-  int cell = -1;
-  double mean = 0.0, largest = 0.0;
+/// Mean and largest E_p over all segments of the drawing, and the joints that miss their continuity.
+struct Drawn {
+  double mean = 0.0, largest = 0.0, missed = 0.0;
+
+  explicit Drawn(const store::CellRecord& cell) {
+    double all = 0.0;
+    for (const store::CurveRecord& curve : cell.curves) {
+      const auto value = [&curve](std::string_view column) { return measured(curve, column).value_or(undefined); };
+      const double n = static_cast<double>(curve.point_x.size()) - (curve.closed ? 0.0 : 2.0);
+      all += n;
+      mean += n * value("parabola_energy_native_mean");
+      largest = std::max(largest, value("parabola_energy_native_max"));
+      missed += value("continuity_violations");
+    }
+    mean /= all;
+  }
 };
 
-Energy energy_of(const store::ExperimentRecord& record, const Kind& kind) {
-  Energy energy;
-  const auto cell = study::drawn_cell(record, shown, kind.words);
-  if (!cell) return energy;
-  energy.cell = *cell;
-  double segments = 0.0;
-  for (const store::CurveRecord& curve : record.cells[static_cast<std::size_t>(*cell)].curves) {
-    const double n = static_cast<double>(curve.point_x.size()) - (curve.closed ? 0.0 : 2.0);
-    segments += n;
-    energy.mean += n * measured(curve, "parabola_energy_native_mean").value_or(std::nan(""));
-    energy.largest = std::max(energy.largest, measured(curve, "parabola_energy_native_max").value_or(std::nan("")));
-  }
-  energy.mean /= segments;
-  return energy;
-}
-
-store::TableRecord drawing_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "figure-13", "Fig. 13 and a stand-in",
-      "Mean and largest E_p as printed and of our drawing, in its units. The printed numbers of G1 are "
-      "those that Table 2 gives for Fig. 11(e), which the text calls C1.");
-  builder.words("continuity").numbers("mean E, printed").numbers("mean E", "1/length");
-  builder.numbers("max E, printed").numbers("max E", "1/length").counts("missed joints");
+Table drawing_table(const Findings& found) {
+  Table table("figure-13", "Fig. 13 and a stand-in",
+              "Mean and largest E_p as printed and of our drawing, in its units. The printed numbers of G1 are "
+              "those that Table 2 gives for Fig. 11(e), which the text calls C1.");
+  table.words("continuity").numbers("mean E, printed").numbers("mean E", "1/length");
+  table.numbers("max E, printed").numbers("max E", "1/length").counts("missed joints");
   for (const Kind& kind : kinds)
-    if (const Energy energy = energy_of(record, kind); energy.cell >= 0) {
-      double missed = 0.0;
-      for (const store::CurveRecord& curve : record.cells[static_cast<std::size_t>(energy.cell)].curves)
-        missed += measured(curve, "continuity_violations").value_or(std::nan(""));
-      builder.row({std::string(kind.words), kind.mean, energy.mean, kind.largest, energy.largest, missed});
+    if (const auto cell = found.find(shown, kind.words)) {
+      const Drawn ours(found.cell(*cell));
+      table.row({kind.words, kind.mean, ours.mean, kind.largest, ours.largest, ours.missed});
     }
-  return builder.table();
+  return table;
 }
 
-store::ClaimRecord held_claim(const store::ExperimentRecord& record) {
-  double missed = 0.0, solved = 0.0;
+void claim_held(Findings& found) {
+  double joints = 0.0, curves = 0.0;
   for (const Sort& sort : sorts)
     for (const Kind& kind : kinds) {
-      missed += sum(column_of(record, kind, sort, "missed joints"));
-      solved += sum(column_of(record, kind, sort, "solved"));
+      joints += rows_of(found, kind, sort).total(missed);
+      curves += rows_of(found, kind, sort).total(was_solved);
     }
-  return claim("continuity-held", study::verdict_for_all(missed, solved),
-               fmt::format("{:.0f} joints miss their continuity", missed),
-               fmt::format("All joints of {:.0f} random curves: C1, G1, C2 and G2, open and closed.", solved));
+  found.claim("continuity-held", study::verdict_for_all(joints, curves),
+              fmt::format("{:.0f} joints miss their continuity", joints),
+              fmt::format("All joints of {:.0f} random curves: C1, G1, C2 and G2, open and closed.", curves));
 }
 
-store::ClaimRecord geometric_claim(const store::ExperimentRecord& record) {
-  Tally first, second;
-  for (const Sort& sort : {sorts[0], sorts[1]})
-    for (const auto& [c, g, tally] : {std::tuple(0, 1, &first), std::tuple(2, 3, &second)}) {
-      const auto parametric = column_of(record, kinds[static_cast<std::size_t>(c)], sort, "mean E");
-      const auto geometric = column_of(record, kinds[static_cast<std::size_t>(g)], sort, "mean E");
-      for (std::size_t i = 0; i < std::min(parametric.size(), geometric.size()); ++i)
-        if (std::isfinite(parametric[i]) && std::isfinite(geometric[i])) tally->add(geometric[i] < parametric[i]);
-    }
-  std::array<double, 4> drawn{};
-  for (std::size_t k = 0; k < kinds.size(); ++k) drawn[k] = energy_of(record, kinds[k]).mean;
-  return claim("geometric-lowers-energy",
-               verdict_often({.agree = first.agree + second.agree, .cases = first.cases + second.cases}),
-               fmt::format("G1 below C1 on {}, G2 below C2 on {}", study::share(first.agree, first.cases),
-                           study::share(second.agree, second.cases)),
-               fmt::format("Mean E_p of the random curves, open (local) and closed (global), where both are solved. On "
-                           "the stand-in for Fig. 13: C1 {:.2g}, G1 {:.2g}, C2 {:.2g}, G2 {:.2g}. The paper says that "
-                           "more freedom often enables lower energy.",
-                           drawn[0], drawn[1], drawn[2], drawn[3]));
+/// How often geometric joints have the lower energy, over the usual sorts of curves.
+Tally geometric_lower(const Findings& found, const Kind& parametric, const Kind& geometric) {
+  Tally lower;
+  for (const Sort& sort : usual_sorts)
+    lower += TwoWays(found.rows().pairs(scaled_energy, study::key::label(label_of(parametric, sort)),
+                                        study::key::label(label_of(geometric, sort))))
+                 .second_lower;
+  return lower;
 }
 
-store::ClaimRecord intervals_claim(const store::ExperimentRecord& record) {
+void claim_geometric(Findings& found) {
+  const Tally first = geometric_lower(found, kinds[0], kinds[1]), second = geometric_lower(found, kinds[2], kinds[3]);
+  Tally both = first;
+  both += second;
+  std::string drawn;
+  for (const Kind& kind : kinds) {
+    const auto cell = found.find(shown, kind.words);
+    drawn += fmt::format("{}{} {:.2g}", drawn.empty() ? "" : ", ", kind.words,
+                         cell ? Drawn(found.cell(*cell)).mean : undefined);
+  }
+  found.claim("geometric-lowers-energy", both.often(),
+              fmt::format("G1 below C1 on {}, G2 below C2 on {}", first.words(), second.words()),
+              fmt::format("Mean E_p of the random curves, open (local) and closed (global), where both are solved. On "
+                          "the stand-in for Fig. 13: {}. The paper says that more freedom often enables lower energy.",
+                          drawn));
+}
+
+void claim_intervals(Findings& found) {
   Tally all;
   std::string each;
-  for (const Sort& sort : {sorts[0], sorts[1]})
+  for (const Sort& sort : usual_sorts)
     for (const Kind& kind : kinds) {
-      const Tally tally = few_intervals(record, kind, sort);
-      all.agree += tally.agree;
-      all.cases += tally.cases;
-      each += fmt::format("{}{} {:.1f} %", each.empty() ? "" : ", ", label_of_sweep(kind, sort),
-                          100.0 * tally.agree / std::max(1.0, tally.cases));
+      const Tally few = few_of(rows_of(found, kind, sort));
+      all += few;
+      each += fmt::format("{}{} {:.1f} %", each.empty() ? "" : ", ", label_of(kind, sort),
+                          100.0 * few.agree / std::max(1.0, few.cases));
     }
-  return claim("two-intervals", verdict_often(all), fmt::format("{} segments", study::share(all.agree, all.cases)),
-               fmt::format("Random curves, exact isolation of the extrema of curvature: {}.", each));
+  found.claim("two-intervals", all.often(), fmt::format("{} segments", all.words()),
+              fmt::format("Random curves, exact isolation of the extrema of curvature: {}.", each));
 }
 
-store::ClaimRecord extrema_claim(const store::ExperimentRecord& record) {
+void claim_extrema(Findings& found) {
   // "Approximately" is taken as: within a tenth of the chord along the curve, on average over a curve's points.
   constexpr double near = 0.1;
   Tally all;
   std::vector<double> offsets;
-  for (const Sort& sort : {sorts[0], sorts[1]})
+  for (const Sort& sort : usual_sorts)
     for (const Kind& kind : kinds)
-      for (const double offset : column_of(record, kind, sort, "extremum_offset_mean")) {
-        all.add(offset <= near);
-        offsets.push_back(offset);
+      for (const double value : rows_of(found, kind, sort).values(offset)) {
+        all.add(value <= near);
+        offsets.push_back(value);
       }
-  return claim("points-near-extrema", study::verdict_in_general(all.agree, all.cases),
-               fmt::format("within {:g} chords on average on {} curves; median {:.2g}", near,
-                           study::share(all.agree, all.cases), median(offsets)),
-               "Arc length from each point to the nearest extremum of curvature over the local chord, mean over the "
-               "points of a random curve.");
+  found.claim(
+      "points-near-extrema", all.in_general(),
+      fmt::format("within {:g} chords on average on {} curves; median {:.2g}", near, all.words(), median(offsets)),
+      "Arc length from each point to the nearest extremum of curvature over the local chord, mean over the "
+      "points of a random curve.");
 }
 
-store::FigureRecord figure(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{.id = "pkappa-continuity",
                              .title = "Four kinds of joints",
                              .caption =
@@ -272,27 +270,32 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
                              .columns = 2,
                              .panels = {}};
   for (const Kind& kind : kinds)
-    if (const auto cell = study::drawn_cell(record, shown, kind.words)) {
-      figure.panels.push_back(curve_panel({*cell}, std::string(kind.words), true));
-      figure.panels.back().points = false;
-    }
+    if (const auto cell = found.find(shown, kind.words))
+      figure.panels.push_back(Panel::curves({*cell}, std::string(kind.words)).comb().without_points());
   return figure;
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {drawing_table(record), random_table(record)};
-  record.claims = {held_claim(record), geometric_claim(record), intervals_claim(record), extrema_claim(record)};
-  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
+void conclude(Findings& found) {
+  found.add(drawing_table(found));
+  found.add(random_table(found));
+  claim_held(found);
+  claim_geometric(found);
+  claim_intervals(found);
+  claim_extrema(found);
+  found.add(figure(found));
 }
 
 }  // namespace
 
 Experiment pkappa_continuity_experiment() {
-  return {.id = "pkappa-continuity",
-          .title = "Four kinds of continuity (Wang 2024, Fig. 13)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment(
+      {.id = "pkappa-continuity",
+       .title = "Four kinds of continuity (Wang 2024, Fig. 13)",
+       .about = std::string(about),
+       .paper = std::string(paper),
+       .claims = {"continuity-held", "geometric-lowers-energy", "two-intervals", "points-near-extrema"},
+       .jobs = jobs,
+       .conclude = conclude});
 }
 
 }  // namespace kappabench

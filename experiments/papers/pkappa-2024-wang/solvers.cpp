@@ -1,22 +1,23 @@
-#include "experiments/run/experiment.hpp"
-
+// Wang 2024, Sections 5 and 6: which solver minimises a window, and what does it cost?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <utility>
 
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/papers/pkappa-2024-wang/energies.hpp"
+#include "experiments/papers/pkappa-2024-wang/inputs.hpp"
+#include "experiments/papers/pkappa-2024-wang/two_ways.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/timing.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace wang;
-
-namespace {
+using study::Findings, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table;
 
 constexpr std::string_view about =
     "The paper minimises each window by an interior-point method. Here every solver of this build constructs the same "
@@ -26,112 +27,97 @@ constexpr std::string_view about =
     "hits all of them; only ratios compare. After the first insertions the windows start from each solver's own curve. "
     "Then both stages by Levenberg-Marquardt, window by window and the whole curve at once.";
 
-constexpr int version = 1, points = 10, curves = 6;
-/// Fits of the fast solvers are repeated, to be timed.
-constexpr double least_seconds = 0.004;
-constexpr int most_repetitions = 20;
-constexpr std::string_view label = "solvers";
-
+/// A way to construct a curve: a solver and the windows that it is given.
 struct Way {
-  std::string words, solver, mode, options;
+  std::string solver, mode, stages;
+
+  explicit Way(const Scheme& scheme)
+      : solver(scheme.parameters().text("solver")),
+        mode(scheme.parameters().text("mode")),
+        stages(scheme.parameters().integer("stage2_iterations") == 0 ? "stage 1" : "both stages") {}
+  [[nodiscard]] std::string words() const { return fmt::format("{}, {}, {}", solver, mode, stages); }
 };
+const std::string lm_stage_1 = "lm, local, stage 1", lm_both = "lm, local, both stages",
+                  lm_at_once = "lm, global, both stages";
 
-std::vector<std::string> solvers_of(const Registry& registry) {
-  for (const SchemeInfo& info : registry.list())
-    if (info.id == "pkappa")
-      for (const ParameterSpec& spec : info.parameters)
-        if (spec.name == "solver") return spec.choices;
-  return {};
-}
-
-std::vector<Way> ways(const Registry& registry) {
-  std::vector<Way> all;
-  for (const std::string mode : {"local", "paper"})
-    for (const std::string& solver : solvers_of(registry))
-      all.push_back({fmt::format("{}, {}, stage 1", solver, mode), solver, mode,
-                     fmt::format("mode={},solver={},stage2_iterations=0,unit=chord,quadrature=gauss", mode, solver)});
-  all.push_back({"lm, local, both stages", "lm", "local", ""});
-  all.push_back({"lm, global, both stages", "lm", "global", "mode=global"});
+std::vector<SchemePtr> ways(const Registry& registry) {
+  const SchemePtr defaults = pkappa(registry, "");
+  const auto& parameters = defaults->info().parameters;
+  const auto solver = std::ranges::find(parameters, "solver", &ParameterSpec::name);
+  std::vector<SchemePtr> all;
+  for (const std::string_view mode : {"local", "paper"})
+    for (const std::string& each : solver->choices)
+      all.push_back(pkappa(
+          registry, fmt::format("mode={},solver={},stage2_iterations=0,unit=chord,quadrature=gauss", mode, each)));
+  all.push_back(defaults);
+  all.push_back(pkappa(registry, "mode=global"));
   return all;
 }
 
-void measure(const std::vector<std::pair<Way, SchemePtr>>& all, const Input& input, store::CellRecord& cell) {
-  const double chord = mean_chord(input), inserted = input.size() - 2;
-  for (const auto& [way, scheme] : all) {
-    Fit fit;
-    const double start = processor_seconds();
-    double seconds = 0.0;
-    int repetitions = 0;
-    do {
-      fit = scheme->fit(input);
-      ++repetitions;
-      seconds = processor_seconds() - start;
-    } while (seconds < least_seconds && repetitions < most_repetitions);
-    const bool solved = study::solved(fit);
-    cell.timings[way.words].push_back(seconds / repetitions / inserted);
-    study::put(cell, way.words + ": energy", solved ? first_stage_energy(*fit.curve, chord) / inserted : std::nan(""),
-               Method::sampled);
-    study::put(cell, way.words + ": mean E", solved ? mean(parabola_energies(*fit.curve)) * chord : std::nan(""),
-               Method::sampled);
-    for (const auto& [counter, count] : fit.report.counters)
-      study::put(cell, fmt::format("{}: {}", way.words, counter), static_cast<double>(count));
+// ---- what is measured
+
+constexpr int points = 10, curves = 6;
+/// Fits of the fast solvers are repeated, to be timed.
+constexpr double least_seconds = 0.004;
+constexpr int most_repetitions = 20;
+const study::Key way_key{"way"}, counter_key{"counter"};
+const Quantity energy{"energy", "1", Method::sampled}, mean_energy{"mean E", "1", Method::sampled},
+    count = study::count_of("count");
+
+void measure_curves(const Uses& uses, Notes& notes) {
+  for (int i = 0; i < curves; ++i) {
+    const Input input = random_curve(uses.seed, i, points, false);
+    const double chord = mean_chord(input), inserted = points - 2;
+    for (const SchemePtr& scheme : uses.schemes) {
+      const std::string words = Way(*scheme).words();
+      Fit fit;
+      const double start = processor_seconds();
+      double seconds = 0.0;
+      int repetitions = 0;
+      do {
+        fit = scheme->fit(input);
+        ++repetitions;
+        seconds = processor_seconds() - start;
+      } while (seconds < least_seconds && repetitions < most_repetitions);
+      notes.cell().timings[words].push_back(seconds / repetitions / inserted);
+      notes.row({curve_number(i), way_key(words)},
+                {energy(study::solved(fit) ? first_stage_energy(*fit.curve, chord) / inserted : undefined),
+                 mean_energy(mean_energy_of(fit) * chord)});
+      for (const auto& [counter, n] : fit.report.counters)
+        notes.row({curve_number(i), way_key(words), counter_key(counter)}, {count(n)});
+    }
   }
 }
 
 std::vector<CellJob> jobs(const Context& context) {
-  std::vector<std::pair<Way, SchemePtr>> all;
-  std::string what;
-  for (const Way& way : ways(context.registry)) {
-    all.emplace_back(way, pkappa(context.registry, way.options));
-    what += way.words + "; ";
-  }
-  const std::uint64_t seed = context.seed;
-  std::vector<CellJob> jobs;
-  jobs.push_back(sweep_job(fmt::format("random, {} points, seed {}", points, seed), all.front().second,
-                           fmt::format("solvers: {}", what), version, curves,
-                           [all, seed](int index, store::CellRecord& cell) {
-                             measure(all, random_curve(seed, index, points, false), cell);
-                           }));
-  jobs.back().label = label;
-  return jobs;
+  return {study::numbers_job<measure_curves>({.work = "solvers",
+                                              .schemes = ways(context.registry),
+                                              .metrics = {&find_metric("parabola_energy")},
+                                              .seed = context.seed},
+                                             fmt::format("random, {} points, seed {}", points, context.seed),
+                                             "solvers")};
 }
 
-std::vector<double> times(const store::ExperimentRecord& record, const std::string& words) {
+// ---- what follows
+
+/// Processor seconds per inserted point, curve by curve.
+std::vector<double> times(const Findings& found, const std::string& way) {
   std::vector<double> all;
-  for (const store::CellRecord& cell : record.cells)
-    if (const auto found = cell.timings.find(words); found != cell.timings.end())
-      std::ranges::copy(found->second, std::back_inserter(all));
+  for (const store::CellRecord& cell : found.cells())
+    if (const auto own = cell.timings.find(way); own != cell.timings.end())
+      std::ranges::copy(own->second, std::back_inserter(all));
   return all;
 }
 
-/// How a way does against Levenberg-Marquardt in the same windows.
-struct Against {
-  double ratio = 0.0;  ///< median over curves of its time over that of lm
-  Tally lower;         ///< curves with a lower energy than lm, by more than a millionth
-  Tally higher;
-  double energy_ratio = 0.0;  ///< median over curves that both solved
-};
-
-Against against(const store::ExperimentRecord& record, const std::string& words, const std::string& lm) {
-  Against a;
-  const auto own_time = times(record, words), lm_time = times(record, lm);
-  std::vector<double> ratios, energy_ratios;
-  for (std::size_t i = 0; i < std::min(own_time.size(), lm_time.size()); ++i)
-    ratios.push_back(own_time[i] / lm_time[i]);
-  a.ratio = median(ratios);
-  const auto own = study::values(record, words + ": energy"), other = study::values(record, lm + ": energy");
-  for (std::size_t i = 0; i < std::min(own.size(), other.size()); ++i) {
-    if (std::isnan(own[i]) || std::isnan(other[i])) continue;
-    energy_ratios.push_back(own[i] / other[i]);
-    a.lower.add(own[i] < other[i] * (1.0 - 1e-6));
-    a.higher.add(own[i] > other[i] * (1.0 + 1e-6));
-  }
-  a.energy_ratio = median(energy_ratios);
-  return a;
+TwoWays times_of(const Findings& found, const std::string& first, const std::string& second) {
+  const std::vector<double> a = times(found, first), b = times(found, second);
+  std::vector<study::Pair> pairs;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) pairs.emplace_back(a[i], b[i]);
+  return TwoWays(pairs);
 }
 
-store::TableRecord table(const store::ExperimentRecord& record, const Registry& registry) {
-  TableBuilder builder(
+Table solver_table(const Findings& found) {
+  Table table(
       "solvers", "What minimises a window",
       fmt::format("{} random open C2 curves of {} points, stage 1 alone. Energy: E_p + 0.1 E_e + 0.1 E_c "
                   "per segment with the mean chord as unit, median over solved curves, and median of its ratio to lm. "
@@ -139,109 +125,97 @@ store::TableRecord table(const store::ExperimentRecord& record, const Registry& 
                   "curves with a lower or higher energy than by lm in the same windows. Time: processor "
                   "time per inserted point; ratio: median over curves of the time over that of lm.",
                   curves, points));
-  builder.words("solver").words("windows").counts("curves").counts("solved").numbers("energy");
-  builder.numbers("energy over lm").counts("lower").counts("higher").numbers("time", "ms").numbers("ratio to lm");
-  for (const Way& way : ways(registry)) {
-    const auto energies = study::values(record, way.words + ": energy");
-    if (!way.words.ends_with("stage 1") || energies.empty()) continue;
-    const Against a = against(record, way.words, fmt::format("lm, {}, stage 1", way.mode));
-    const auto unsolved = std::ranges::count_if(energies, [](double e) { return std::isnan(e); });
-    builder.row({way.solver, std::string(way.mode == "paper" ? "as printed" : "robust"),
-                 static_cast<double>(energies.size()),
-                 static_cast<double>(energies.size()) - static_cast<double>(unsolved), median(energies), a.energy_ratio,
-                 a.lower.agree, a.higher.agree, 1e3 * median(times(record, way.words)), a.ratio});
+  table.words("solver").words("windows").counts("curves").counts("solved").numbers("energy");
+  table.numbers("energy over lm").counts("lower").counts("higher").numbers("time", "ms").numbers("ratio to lm");
+  for (const SchemePtr& scheme : ways(found.context().registry)) {
+    const Way way(*scheme);
+    const std::string words = way.words(), lm = fmt::format("lm, {}, stage 1", way.mode);
+    const std::vector<double> energies = found.rows().where({way_key(words)}).values(energy);
+    if (way.stages != "stage 1" || energies.empty()) continue;
+    const TwoWays against(found.rows().pairs(energy, way_key(words), way_key(lm)), 1e-6);
+    table.row({way.solver, way.mode == "paper" ? "as printed" : "robust", energies.size(),
+               std::ranges::count_if(energies, [](double e) { return !std::isnan(e); }), median(energies),
+               median(against.ratios), against.first_lower.agree, against.second_lower.agree,
+               1e3 * median(times(found, words)), median(times_of(found, words, lm).ratios)});
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord whole_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("whole", "Window by window and all at once",
-                       "The same curves by Levenberg-Marquardt: processor time per inserted point, median of mean E_p "
-                       "times mean chord.");
-  builder.words("construction").numbers("time", "ms").numbers("mean E");
-  for (const std::string words : {"lm, local, stage 1", "lm, local, both stages", "lm, global, both stages"})
-    if (const auto own = times(record, words); !own.empty())
-      builder.row({words, 1e3 * median(own), median(study::values(record, words + ": mean E"))});
-  return builder.table();
+Table whole_table(const Findings& found) {
+  Table table("whole", "Window by window and all at once",
+              "The same curves by Levenberg-Marquardt: processor time per inserted point, median of mean E_p "
+              "times mean chord.");
+  table.words("construction").numbers("time", "ms").numbers("mean E");
+  for (const std::string& words : {lm_stage_1, lm_both, lm_at_once})
+    if (const auto own = times(found, words); !own.empty())
+      table.row({words, 1e3 * median(own), found.rows().where({way_key(words)}).median(mean_energy)});
+  return table;
 }
 
-store::TableRecord counter_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("windows", "Windows of the construction",
-                       "Counted over all curves, Levenberg-Marquardt: windows solved; those that needed more than the "
-                       "usual starts, were widened, kept stage 1, failed verification, met the iteration limit.");
-  builder.words("construction");
+Table counter_table(const Findings& found) {
+  Table table("windows", "Windows of the construction",
+              "Counted over all curves, Levenberg-Marquardt: windows solved; those that needed more than the "
+              "usual starts, were widened, kept stage 1, failed verification, met the iteration limit.");
+  table.words("construction");
   constexpr std::array<std::string_view, 6> counters{"windows",         "fallbacks", "widened",
                                                      "stage2_reverted", "unsound",   "iteration_limit"};
-  for (const std::string_view counter : counters) builder.counts(std::string(counter));
-  for (const std::string words : {"lm, local, stage 1", "lm, paper, stage 1", "lm, local, both stages"}) {
-    std::vector<TableBuilder::Cell> row{words};
+  for (const std::string_view counter : counters) table.counts(std::string(counter));
+  for (const std::string& words : {lm_stage_1, std::string("lm, paper, stage 1"), lm_both}) {
+    std::vector<study::TableValue> row{words};
     for (const std::string_view counter : counters)
-      row.emplace_back(study::total(record, fmt::format("{}: {}", words, counter)));
-    if (!times(record, words).empty()) builder.row(row);
+      row.emplace_back(found.rows().where({way_key(words), counter_key(counter)}).total(count));
+    if (!times(found, words).empty()) table.row(row);
   }
-  return builder.table();
+  return table;
 }
 
-store::ClaimRecord cost_claim(const store::ExperimentRecord& record) {
-  const auto at_once = times(record, "lm, global, both stages"), windows = times(record, "lm, local, both stages");
-  Tally dearer;
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < std::min(at_once.size(), windows.size()); ++i) {
-    dearer.add(at_once[i] > windows[i]);
-    ratios.push_back(at_once[i] / windows[i]);
-  }
-  return claim(
-      "global-costs-more", study::verdict_in_general(dearer.agree, dearer.cases),
-      fmt::format("the whole curve at once takes longer on {}; median ratio {:.2g}",
-                  study::share(dearer.agree, dearer.cases), median(ratios)),
-      fmt::format("Processor time of both stages, random curves of {} points inserted one by one, or solved at "
-                  "once with a block tridiagonal system. A later edit costs one window, or the whole curve "
-                  "again.",
-                  points));
+void claim_cost(Findings& found) {
+  const TwoWays both = times_of(found, lm_at_once, lm_both);
+  found.claim("global-costs-more", both.second_lower.in_general(),
+              fmt::format("the whole curve at once takes longer on {}; median ratio {:.2g}", both.second_lower.words(),
+                          median(both.ratios)),
+              fmt::format("Processor time of both stages, random curves of {} points inserted one by one, or solved at "
+                          "once with a block tridiagonal system. A later edit costs one window, or the whole curve "
+                          "again.",
+                          points));
 }
 
 store::FigureRecord figure() {
-  store::PanelRecord time{.kind = "graph", .title = "time per inserted point"};
-  time.table = "solvers";
-  time.x = "solver";
-  time.y = {"time"};
-  time.series = "windows";
-  time.log_y = true;
-  time.y_label = "ms";
-  store::PanelRecord solved = time;
-  solved.title = "curves solved";
-  solved.y = {"solved"};
-  solved.log_y = false;
-  solved.y_label = "curves";
-  store::PanelRecord energy = time;
-  energy.title = "energy after stage 1";
-  energy.y = {"energy"};
-  energy.log_y = false;
-  energy.y_label = "median energy";
-  for (store::PanelRecord* panel : {&time, &solved, &energy}) panel->lines = false;
+  const auto by_solver = [](std::string column, std::string title, std::string y_label) {
+    return Panel::graph("solvers", "solver", {std::move(column)}, std::move(title))
+        .series("windows")
+        .labels("", std::move(y_label))
+        .dots();
+  };
   return {.id = "pkappa-solvers",
           .title = "Four solvers",
           .caption =
               "Processor time, curves solved and energy after stage 1 by solver, with windows made robust and as "
               "printed.",
           .columns = 3,
-          .panels = {time, solved, energy}};
+          .panels = {by_solver("time", "time per inserted point", "ms").log_y(),
+                     by_solver("solved", "curves solved", "curves"),
+                     by_solver("energy", "energy after stage 1", "median energy")}};
 }
 
-void conclude(const Context& context, store::ExperimentRecord& record) {
-  record.tables = {table(record, context.registry), whole_table(record), counter_table(record)};
-  record.claims = {cost_claim(record)};
-  if (!record.cells.empty()) record.figures = {figure()};
+void conclude(Findings& found) {
+  found.add(solver_table(found));
+  found.add(whole_table(found));
+  found.add(counter_table(found));
+  claim_cost(found);
+  if (!found.cells().empty()) found.add(figure());
 }
 
 }  // namespace
 
 Experiment pkappa_solvers_experiment() {
-  return {.id = "pkappa-solvers",
-          .title = "Solvers of the windows (Wang 2024, Sections 5 and 6)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "pkappa-solvers",
+                            .title = "Solvers of the windows (Wang 2024, Sections 5 and 6)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"global-costs-more"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

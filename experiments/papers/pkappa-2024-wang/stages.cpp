@@ -1,19 +1,23 @@
-#include "experiments/run/experiment.hpp"
-
+// Wang 2024, Fig. 9: what does stage 2 of the minimisation add to stage 1?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
 
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/papers/pkappa-2024-wang/energies.hpp"
+#include "experiments/papers/pkappa-2024-wang/inputs.hpp"
+#include "experiments/papers/pkappa-2024-wang/parabolas.hpp"
+#include "experiments/papers/pkappa-2024-wang/two_ways.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace wang;
-
-namespace {
+using study::Findings, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table;
 
 constexpr std::string_view about =
     "Stage 1 minimises E_p with both other terms, stage 2 goes on from there: as printed with E_p alone (mode=paper, "
@@ -31,112 +35,106 @@ constexpr std::array<Stage, 6> stages{{{"printed, stage 1", "mode=paper,stage2_i
                                        {"global, stage 1", "mode=global,stage2_iterations=0"},
                                        {"global, stage 2", "mode=global"}}};
 constexpr std::array<std::size_t, 3> drawn_stages{0, 1, 5};
+constexpr std::string_view shown = "stages", typical = "typical inputs";
+
+// ---- what is measured
+
 constexpr std::array<std::string_view, 9> inputs{"toy",    "s-curve",         "zigzag-sharp", "circle-even", "spiral",
                                                  "stages", "log-spiral-even", "leaf",         "very-uneven"};
-constexpr std::string_view shown = "stages";
-constexpr int version = 1, points = 8, curves = 20;
+constexpr int points = 8, curves = 20;
+const study::Key input_name{"drawing"};
+const Quantity mean_energy{"mean E", "1/length", Method::sampled};
+
+void measure_random(const Uses& uses, Notes& notes) {
+  for (int i = 0; i < curves; ++i)
+    notes.row({curve_number(i)},
+              {mean_energy(mean_energy_of(uses.schemes.front()->fit(random_curve(uses.seed, i, points, false))))});
+}
+
+void measure_typical(const Uses& uses, Notes& notes) {
+  for (const Drawing& drawing : uses.drawings)
+    notes.row({input_name(drawing.id)},
+              {mean_energy(mean_energy_of(uses.schemes.front()->fit(drawing.curves.front())))});
+}
+
+std::string random_name(const Context& context) {
+  return fmt::format("random, {} points, seed {}", points, context.seed);
+}
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
-  const std::vector<const Metric*> metrics{&find_metric("parabola_energy"), &find_metric("monotone_intervals")};
+  const Metric& energy = find_metric("parabola_energy");
   // In the unit of the mean chord, so that all three modes minimise the same.
-  const Drawing stand_in = scaled_to(drawing(shown), 1.0);
   for (const std::size_t k : drawn_stages)
-    jobs.push_back(
-        profiled_job(stand_in, pkappa(context.registry, stages[k].options), std::string(stages[k].words), metrics));
-  const std::uint64_t seed = context.seed;
-  for (const Stage& stage : stages) {
-    const SchemePtr scheme = pkappa(context.registry, stage.options);
-    const auto energy = [scheme](const Input& input, store::CellRecord& cell) {
-      const Fit fit = scheme->fit(input);
-      study::put(cell, "mean E", study::solved(fit) ? mean(parabola_energies(*fit.curve)) : std::nan(""),
-                 Method::sampled);
-    };
-    jobs.push_back(sweep_job(fmt::format("random, {} points, seed {}", points, seed), scheme,
-                             fmt::format("random: {}", stage.words), version, curves,
-                             [energy, seed](int index, store::CellRecord& cell) {
-                               energy(random_curve(seed, index, points, false), cell);
-                             }));
-    jobs.push_back(sweep_job("typical inputs", scheme, fmt::format("typical: {}", stage.words), version,
-                             static_cast<int>(inputs.size()), [energy](int index, store::CellRecord& cell) {
-                               const auto id = inputs[static_cast<std::size_t>(index)];
-                               energy(scaled_to(drawing(id).curves.front(), 1.0), cell);
-                             }));
+    jobs.push_back(profiled_job(scaled_to(drawing(shown), 1.0), pkappa(context.registry, stages[k].options),
+                                std::string(stages[k].words), {&energy, &find_metric("monotone_intervals")}));
+  std::vector<Drawing> typical_drawings;
+  for (const std::string_view id : inputs) typical_drawings.push_back(scaled_to(drawing(id), 1.0));
+  for (const auto& [words, options] : stages) {
+    const SchemePtr scheme = pkappa(context.registry, options);
+    jobs.push_back(study::numbers_job<measure_random>(
+        {.work = "stages, random curves", .schemes = {scheme}, .metrics = {&energy}, .seed = context.seed},
+        random_name(context), std::string(words)));
+    jobs.push_back(study::numbers_job<measure_typical>(
+        {.work = "stages, typical inputs", .schemes = {scheme}, .drawings = typical_drawings, .metrics = {&energy}},
+        std::string(typical), std::string(words)));
   }
   return jobs;
 }
 
-std::vector<double> energies(const store::ExperimentRecord& record, std::string_view of, const Stage& stage) {
-  std::vector<double> all;
-  for (const int c : cells_labelled(record, fmt::format("{}: {}", of, stage.words)))
-    for (const store::MeasurementRecord& m : record.cells[static_cast<std::size_t>(c)].measurements)
-      if (m.column == "mean E") all.push_back(m.value);
-  return all;
-}
+// ---- what follows
 
-store::TableRecord typical_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("typical", "Mean E_p of typical inputs",
-                       "First curve of each drawing, scaled to mean chord 1; C2. Empty where it was not solved.");
-  builder.words("drawing");
-  for (const Stage& stage : stages) builder.numbers(std::string(stage.words));
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    std::vector<TableBuilder::Cell> row{std::string(inputs[i])};
-    for (const Stage& stage : stages) {
-      const auto all = energies(record, "typical", stage);
-      row.emplace_back(i < all.size() ? all[i] : std::nan(""));
-    }
-    builder.row(row);
+Table typical_table(const Rows& rows) {
+  Table table("typical", "Mean E_p of typical inputs",
+              "First curve of each drawing, scaled to mean chord 1; C2. Empty where it was not solved.");
+  table.words("drawing");
+  for (const Stage& stage : stages) table.numbers(std::string(stage.words));
+  for (const std::string_view id : inputs) {
+    std::vector<study::TableValue> row{id};
+    for (const Stage& stage : stages)
+      row.emplace_back(rows.where({input_name(id), study::key::label(stage.words)}).mean(mean_energy));
+    table.row(row);
   }
-  return builder.table();
+  return table;
 }
 
-struct Comparison {
-  Tally lower;
-  std::vector<double> ratios;  ///< stage 1 over stage 2
-};
-
-Comparison compared(const store::ExperimentRecord& record, std::size_t first) {
-  Comparison c;
-  const auto before = energies(record, "random", stages[first]), after = energies(record, "random", stages[first + 1]);
-  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
-    if (std::isnan(before[i]) || std::isnan(after[i])) continue;
-    c.lower.add(after[i] < before[i]);
-    c.ratios.push_back(before[i] / after[i]);
-  }
-  return c;
+/// Stage 1 against stage 2 of the mode that begins with stages[first].
+TwoWays compared(const Rows& random, std::size_t first) {
+  return TwoWays(
+      random.pairs(mean_energy, study::key::label(stages[first].words), study::key::label(stages[first + 1].words)));
 }
 
-store::TableRecord random_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
+Table random_table(const Rows& random) {
+  Table table(
       "random", "Stage 1 against stage 2 on random curves",
       fmt::format("{} random open curves of {} points, mean chord 1; curves that both stages solved.", curves, points));
-  builder.words("mode").counts("curves").counts("stage 2 lower").numbers("median E, stage 1");
-  builder.numbers("median E, stage 2").numbers("median ratio");
+  table.words("mode").counts("curves").counts("stage 2 lower").numbers("median E, stage 1");
+  table.numbers("median E, stage 2").numbers("median ratio");
   for (const std::size_t first : {0UL, 2UL, 4UL}) {
-    const Comparison c = compared(record, first);
-    if (c.ratios.empty()) continue;
+    const TwoWays both = compared(random, first);
+    if (both.ratios.empty()) continue;
+    const auto median_of = [&](const Stage& stage) {
+      return random.where({study::key::label(stage.words)}).median(mean_energy);
+    };
     const std::string_view words = stages[first].words;
-    builder.row({std::string(words.substr(0, words.find(','))), c.lower.cases, c.lower.agree,
-                 median(energies(record, "random", stages[first])),
-                 median(energies(record, "random", stages[first + 1])), median(c.ratios)});
+    table.row({words.substr(0, words.find(',')), both.second_lower.cases, both.second_lower.agree,
+               median_of(stages[first]), median_of(stages[first + 1]), median(both.ratios)});
   }
-  return builder.table();
+  return table;
 }
 
-store::ClaimRecord stage_claim(const store::ExperimentRecord& record) {
-  const Comparison printed = compared(record, 0), local = compared(record, 2);
-  return claim(
-      "stage-2-lowers-energy", study::verdict_in_general(printed.lower.agree, printed.lower.cases),
-      fmt::format("mean E lower after stage 2 on {}, median ratio {:.3g}",
-                  study::share(printed.lower.agree, printed.lower.cases), median(printed.ratios)),
+void claim_stage_2(Findings& found, const Rows& random) {
+  const TwoWays printed = compared(random, 0), local = compared(random, 2);
+  found.claim(
+      "stage-2-lowers-energy", printed.second_lower.in_general(),
+      fmt::format("mean E lower after stage 2 on {}, median ratio {:.3g}", printed.second_lower.words(),
+                  median(printed.ratios)),
       fmt::format("Windows as printed, random curves with mean chord 1, stage 2 of at most 10 iterations. With a "
                   "tenth of the weights kept until it converges (default): {}, median ratio {:.3g}.",
-                  study::share(local.lower.agree, local.lower.cases), median(local.ratios)));
+                  local.second_lower.words(), median(local.ratios)));
 }
 
-void conclude(const Context& context, store::ExperimentRecord& record) {
-  record.tables = {typical_table(record), random_table(record)};
-  record.claims = {stage_claim(record)};
+void draw(Findings& found) {
   store::FigureRecord figure{
       .id = "pkappa-stages",
       .title = "Two stages",
@@ -146,27 +144,39 @@ void conclude(const Context& context, store::ExperimentRecord& record) {
       .columns = 3,
       .panels = {}};
   std::vector<store::PanelRecord> graphs, differences;
-  for (const std::size_t k : drawn_stages)
-    if (const auto cell = study::drawn_cell(record, shown, stages[k].words)) {
-      const std::string table = fmt::format("parabolas-{}", k);
-      record.tables.push_back(parabola_table(study::Findings(context, paper, record), table, {*cell}, 16).record());
-      figure.panels.push_back(curve_panel({*cell}, std::string(stages[k].words), true));
-      differences.push_back(difference_panel(std::string(stages[k].words), table));
-      graphs.push_back(parabola_panel(std::string(stages[k].words), table, "segment + t"));
-    }
+  for (const std::size_t k : drawn_stages) {
+    const std::string words(stages[k].words);
+    const auto cell = found.find(shown, words);
+    if (!cell) continue;
+    const Table table = parabola_table(found, fmt::format("parabolas-{}", k), {*cell}, 16);
+    found.add(table);
+    figure.panels.push_back(Panel::curves({*cell}, words).comb());
+    graphs.push_back(parabola_panel(words, table.id(), "segment + t"));
+    differences.push_back(difference_panel(words, table.id()));
+  }
   std::ranges::move(graphs, std::back_inserter(figure.panels));
   std::ranges::move(differences, std::back_inserter(figure.panels));
-  if (!figure.panels.empty()) record.figures = {std::move(figure)};
+  found.add(std::move(figure));
+}
+
+void conclude(Findings& found) {
+  const Rows random = found.rows().where({study::key::dataset(random_name(found.context()))});
+  found.add(typical_table(found.rows()));
+  found.add(random_table(random));
+  claim_stage_2(found, random);
+  draw(found);
 }
 
 }  // namespace
 
 Experiment pkappa_stages_experiment() {
-  return {.id = "pkappa-stages",
-          .title = "Two stages (Wang 2024, Fig. 9)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "pkappa-stages",
+                            .title = "Two stages (Wang 2024, Fig. 9)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"stage-2-lowers-energy"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

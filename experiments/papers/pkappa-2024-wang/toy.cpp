@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
+#include "experiments/papers/pkappa-2024-wang/energies.hpp"
+#include "experiments/papers/pkappa-2024-wang/inputs.hpp"
+#include "experiments/papers/pkappa-2024-wang/parabolas.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
 #include "experiments/study/summaries.hpp"

@@ -99,10 +99,10 @@ TableRecord energies() {
   return {"energies",
           "Energies & counts",
           "E_p over the drawing; 100% of the rows, failures included.",
-          {{"drawing", "", std::vector<std::string>{"polygon", "wave", "peak_1", "broken"}, false},
-           {"scheme", "", std::vector<std::string>{"kappa", "ekappa", "kappa", "kappa"}, false},
-           {"energy", "1/length", std::vector<double>{1.6423456e-6, 12.5, 123456789.0, none}, false},
-           {"extrema", "1", std::vector<double>{6, 4, 1, none}, true}}};
+          {{"drawing", "", "", std::vector<std::string>{"polygon", "wave", "peak_1", "broken"}, false},
+           {"scheme", "", "", std::vector<std::string>{"kappa", "ekappa", "kappa", "kappa"}, false},
+           {"energy", "1/length", "", std::vector<double>{1.6423456e-6, 12.5, 123456789.0, none}, false},
+           {"extrema", "1", "", std::vector<double>{6, 4, 1, none}, true}}};
 }
 
 TableRecord timings() {
@@ -119,7 +119,7 @@ TableRecord timings() {
   return {"scaling",
           "Time against size",
           "",
-          {{"scheme", "", scheme, false}, {"points", "1", points, true}, {"time", "s", seconds, false}}};
+          {{"scheme", "", "", scheme, false}, {"points", "1", "", points, true}, {"time", "s", "", seconds, false}}};
 }
 
 PanelRecord panel(const std::string& kind, const std::string& title, std::vector<int> cells) {

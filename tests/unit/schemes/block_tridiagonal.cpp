@@ -1,4 +1,4 @@
-#include "schemes/curve/block_tridiagonal.hpp"
+#include "schemes/numerics/block_tridiagonal.hpp"
 
 #include <Eigen/LU>
 #include <limits>

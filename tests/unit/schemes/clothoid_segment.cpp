@@ -7,8 +7,8 @@
 #include <random>
 
 #include "schemes/curve/exact_curvature.hpp"
+#include "schemes/numerics/fresnel.hpp"
 #include "schemes/segments/clothoid.hpp"
-#include "schemes/segments/fresnel.hpp"
 #include "tests/catch.hpp"
 
 using namespace kappabench;

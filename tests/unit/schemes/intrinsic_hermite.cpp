@@ -145,7 +145,7 @@ TEST_CASE("intrinsic: derivatives of the fixed-knot equations agree with autodif
       along += table.weights[i] * cos(angle);
     }
     const auto turning = length * (x * table.first_total + y * table.last_total + 0.7 * table.fixed_total);
-    const Equations e = fixed_equations(table, data, 0.7, u);
+    const ThreeEquations e = fixed_equations(table, data, 0.7, u);
     const auto check = [&](int row, const auto& expected, double offset) {
       CHECK(e.value[row] == Approx(static_cast<double>(expected) - offset).margin(1e-15));
       CHECK(e.jacobian(row, 0) == Approx(expected.derivative(1, 0, 0)).margin(1e-14));
@@ -162,7 +162,7 @@ TEST_CASE("intrinsic: the family's derivatives agree with differences, and its m
   const StandardData data{0.3, 1.2, 0.1, 4.0};
   for (const FamilyMember& at : {FamilyMember{0.1, 0.0, 0.0}, {0.05, 1.3, 0.7}, {0.2, -2.0, -0.4}, {0.0, 3.0, 2.0}}) {
     INFO("y = " << at.y << ", z = " << at.z);
-    const Equations e = member_equations(at, data);
+    const ThreeEquations e = member_equations(at, data);
     constexpr double h = 1e-6;
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(k);

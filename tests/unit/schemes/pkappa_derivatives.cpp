@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "schemes/pkappa/bernstein.hpp"
+#include "schemes/numerics/bernstein.hpp"
 #include "schemes/pkappa/flat_problem.hpp"
 #include "schemes/pkappa/starts.hpp"
 #include "tests/catch.hpp"

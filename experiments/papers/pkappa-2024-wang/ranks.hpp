@@ -1,0 +1,10 @@
+#pragma once
+
+#include <vector>
+
+namespace kappabench::wang {
+
+/// Spearman's rank correlation; equal values share their ranks. NaN for fewer than three pairs or constant values.
+[[nodiscard]] double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace kappabench::wang
