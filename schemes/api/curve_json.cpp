@@ -13,6 +13,10 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec2& p) { return Json::array({p.x(), p.y()}); }
 
+Json json_of(const SegmentPtr& segment);
+Json json_of(const Node& node);
+Json json_of(const Joint& joint);
+
 /// The items as an array, each by its own json_of.
 template <class Item>
 Json json_of(const std::vector<Item>& items) {
@@ -20,8 +24,6 @@ Json json_of(const std::vector<Item>& items) {
   for (const Item& item : items) list.push_back(json_of(item));
   return list;
 }
-
-Json json_of(const SegmentPtr& segment);
 
 struct FormJson {
   Json operator()(const PolynomialForm& form) const {
