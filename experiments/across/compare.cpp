@@ -37,14 +37,14 @@ std::vector<CellJob> jobs(const Context& context) {
 }
 
 void conclude(study::Findings& found) {
-  found.add(compare::scheme_table(found));
-  found.add(compare::curve_table(found));
-  found.add(compare::profile_table(found));
-  for (const study::Table& table : compare::distribution_tables(found)) found.add(table);
-  for (store::FigureRecord& figure : compare::drawing_figures(found)) found.add(std::move(figure));
-  found.add(compare::distribution_figure());
-  found.add(compare::curvature_figure(found));
-  found.add(compare::convergence_figure(found));
+  found.add(comparison::scheme_table(found));
+  found.add(comparison::curve_table(found));
+  found.add(comparison::profile_table(found));
+  for (const study::Table& table : comparison::distribution_tables(found)) found.add(table);
+  for (store::FigureRecord& figure : comparison::drawing_figures(found)) found.add(std::move(figure));
+  found.add(comparison::distribution_figure());
+  found.add(comparison::curvature_figure(found));
+  found.add(comparison::convergence_figure(found));
 }
 
 }  // namespace

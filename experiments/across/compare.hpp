@@ -10,7 +10,7 @@ namespace kappabench {
 /// The table with one row for every curve and scheme, which the verb `compare` prints.
 inline constexpr std::string_view compare_table_id = "compare";
 
-namespace compare {
+namespace comparison {
 
 // What `compare` concludes, by idea.
 
@@ -29,5 +29,5 @@ namespace compare {
 [[nodiscard]] store::FigureRecord curvature_figure(const study::Findings& found);
 [[nodiscard]] store::FigureRecord convergence_figure(const study::Findings& found);
 
-}  // namespace compare
+}  // namespace comparison
 }  // namespace kappabench

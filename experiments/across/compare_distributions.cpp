@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "experiments/across/compare.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "metrics/fairness.hpp"
 #include "metrics/monotone_intervals.hpp"
 #include "metrics/parabola_energy.hpp"
 
-namespace kappabench::compare {
+namespace kappabench::comparison {
 namespace {
 
 using study::Findings, study::Panel, study::Table;
@@ -133,4 +133,4 @@ store::FigureRecord distribution_figure() {
   return figure;
 }
 
-}  // namespace kappabench::compare
+}  // namespace kappabench::comparison

@@ -6,7 +6,7 @@
 
 #include "experiments/across/compare.hpp"
 
-namespace kappabench::compare {
+namespace kappabench::comparison {
 namespace {
 
 using study::Findings, study::Panel;
@@ -80,4 +80,4 @@ store::FigureRecord convergence_figure(const Findings& found) {
           .panels = overlays(found, Panel::convergence, iterates)};
 }
 
-}  // namespace kappabench::compare
+}  // namespace kappabench::comparison

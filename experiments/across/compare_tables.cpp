@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "experiments/across/compare.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 
-namespace kappabench::compare {
+namespace kappabench::comparison {
 namespace {
 
 using study::Findings, study::Table, study::TableValue;
@@ -105,4 +105,4 @@ Table scheme_table(const Findings& found) {
   return table;
 }
 
-}  // namespace kappabench::compare
+}  // namespace kappabench::comparison

@@ -30,17 +30,8 @@ std::string label_of(const Scheme& scheme) {
 store::CellRecord compute(const CellJob& job) {
   store::CellRecord cell;
   cell.outcome = name(Outcome::converged);
-  job.closure ? job.closure(cell) : job.compute(job.uses, cell);
+  job.compute(job.uses, cell);
   return cell;
-}
-
-CellJob other_job(std::string dataset, const SchemePtr& scheme, const std::string& what,
-                  std::function<void(store::CellRecord&)> compute) {
-  return {.dataset = dataset,
-          .label = label_of(*scheme),
-          .uses = {.work = what, .schemes = {scheme}, .words = {{"dataset", dataset}}},
-          .compute = nullptr,
-          .closure = std::move(compute)};
 }
 
 void fit_and_measure(const Uses& uses, store::CellRecord& cell) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,6 @@ struct CellJob {
   /// Fills outcome, curves, rows and timings. A plain function: it can depend on nothing that `uses`, and so the key,
   /// does not name.
   void (*compute)(const Uses& uses, store::CellRecord& cell);
-  std::function<void(store::CellRecord&)> closure{};  // on its way out: see other_job
 
   [[nodiscard]] std::string key() const { return key_of(uses); }
 };
@@ -39,10 +37,6 @@ void fit_and_measure(const Uses& uses, store::CellRecord& cell);
 
 /// Who the cell is: dataset, scheme, parameters, label and key of the job.
 void name_cell(store::CellRecord& cell, const CellJob& job);
-
-/// On its way out: a job whose `what` must name everything by hand.
-[[nodiscard]] CellJob other_job(std::string dataset, const SchemePtr& scheme, const std::string& what,
-                                std::function<void(store::CellRecord&)> compute);
 
 /// "ekappa a=0.8".
 [[nodiscard]] std::string label_of(const Scheme& scheme);

@@ -6,15 +6,6 @@
 
 namespace kappabench::study {
 
-store::ClaimRecord claim(std::string_view paper, std::string_view id, std::string verdict, std::string ours,
-                         std::string evidence) {
-  return {.paper = std::string(paper),
-          .claim = std::string(id),
-          .verdict = std::move(verdict),
-          .ours = std::move(ours),
-          .evidence = std::move(evidence)};
-}
-
 std::string share(double agree, double cases) {
   return fmt::format("{:.0f} of {:.0f} ({:.4g} %)", agree, cases, cases > 0.0 ? 100.0 * agree / cases : 0.0);
 }

@@ -1,17 +1,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-
-#include "reports/store/model.hpp"
 
 namespace kappabench::study {
 
 /// How counts become verdicts on what a paper claims, by the same rules for every paper.
-
-/// The verdict on claim `id` of reports/paper/<paper>.toml, with our number or words and the evidence for it.
-[[nodiscard]] store::ClaimRecord claim(std::string_view paper, std::string_view id, std::string verdict,
-                                       std::string ours, std::string evidence);
 
 /// Share of cases that agree, "1234 of 1240 (99.5 %)".
 [[nodiscard]] std::string share(double agree, double cases);

@@ -74,7 +74,6 @@ struct CellRecord {
   std::string message;
   std::vector<CurveRecord> curves;
   std::vector<TableRecord> rows;  ///< what a study measured: key columns (no method), then numbers; no id, no title
-  std::vector<MeasurementRecord> measurements;         ///< over the whole drawing
   std::map<std::string, std::vector<double>> timings;  ///< raw repetitions, seconds
   bool operator==(const CellRecord&) const = default;
 };

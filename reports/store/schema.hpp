@@ -87,7 +87,6 @@ void describe_cell(Tree& tree, Cell& cell) {
   tree.value("message", cell.message);
   tree.list("curves", cell.curves, by_number, [](auto& child, auto& curve) { describe_curve(child, curve); });
   tree.list("rows", cell.rows, by_number, [](auto& child, auto& table) { child.table_columns(table.columns); });
-  describe_measurements(tree, cell.measurements);
   tree.series("timings", cell.timings);
 }
 

@@ -74,7 +74,8 @@ Json json_of(const Joint& joint) { return {{"segment", joint.segment}, {"claimed
 
 Json json_of(const Parameters& parameters) {
   Json object = Json::object();
-  for (const auto& [key, value] : parameters.values()) std::visit([&](const auto& v) { object[key] = v; }, value);
+  for (const auto& entry : parameters.values())
+    std::visit([&](const auto& value) { object[entry.first] = value; }, entry.second);
   return object;
 }
 

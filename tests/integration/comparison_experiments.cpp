@@ -6,9 +6,9 @@
 #include <memory>
 #include <set>
 
-#include "experiments/papers/pkappa-2024-wang/curve_findings.hpp"
+#include "experiments/papers/pkappa-2024-wang/visible_flaws.hpp"
 #include "experiments/study/curve_marks.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "reports/paper.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
@@ -131,7 +131,7 @@ TEST_CASE("findings on curves where they are known") {
                                   {.point = 2, .segment = 0, .t = 1.0}},
                                  false),
                   .report = {}};
-    const Findings found = findings(fit);
+    const wang::VisibleFlaws found = wang::visible_flaws(fit);
     CHECK(found.points == 1);
     CHECK(found.off_extrema.empty());
     CHECK(found.points_off_peaks == 0);
@@ -150,7 +150,7 @@ TEST_CASE("findings on curves where they are known") {
                         {.point = 3, .segment = 1, .t = 1.0}},
                        false),
         .report = {}};
-    const Findings found = findings(fit);
+    const wang::VisibleFlaws found = wang::visible_flaws(fit);
     REQUIRE(found.jumps.size() == 1);
     CHECK((found.jumps.front() - Vec2(2, 0)).norm() < 1e-12);
     CHECK(found.jumps_at_sign_changes == 1);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/study/study.hpp"
+#include "experiments/study/distance.hpp"
 #include "experiments/study/verdicts.hpp"
 #include "reports/figures/figure.hpp"
 #include "tests/catch.hpp"

@@ -13,13 +13,19 @@
 
 using namespace kappabench;
 using namespace kappabench::test;
+using namespace kappabench::miura;
 
 namespace {
 
+/// The one number of a column in a cell.
 double& measurement(store::CellRecord& cell, const std::string& column) {
-  const auto found = std::ranges::find(cell.measurements, column, &store::MeasurementRecord::column);
-  REQUIRE(found != cell.measurements.end());
-  return found->value;
+  std::vector<double*> found;
+  for (store::TableRecord& rows : cell.rows)
+    for (store::TableColumn& numbers : rows.columns)
+      if (numbers.name == column && !numbers.method.empty())
+        for (double& number : std::get<std::vector<double>>(numbers.cells)) found.push_back(&number);
+  REQUIRE(found.size() == 1);
+  return *found.front();
 }
 
 store::CellRecord& cell_of(store::ExperimentRecord& record, const std::string& dataset) {

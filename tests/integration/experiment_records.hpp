@@ -94,7 +94,6 @@ inline void set_column(store::ExperimentRecord& record, std::string_view column,
   };
   for (store::CellRecord& cell : record.cells) {
     if (!scheme.empty() && cell.scheme != scheme) continue;
-    set(cell.measurements);
     for (store::TableRecord& rows : cell.rows)
       for (store::TableColumn& numbers : rows.columns)
         if (numbers.name == column && !numbers.method.empty())

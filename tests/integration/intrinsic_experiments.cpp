@@ -100,10 +100,11 @@ TEST_CASE("intrinsic experiments: Eq. (12) is judged by the curves that are foun
   // Were there a monotone curve everywhere, the printed inequality would stand.
   for (store::CellRecord& cell : record.cells) {
     if (cell.label != "automatic") continue;
-    yoshida::Region region = yoshida::region_of(cell);
+    yoshida::Region region = yoshida::region_of(study::Rows({cell}));
     std::ranges::fill(region.inside, 1);
-    cell.measurements.clear();
-    yoshida::put_region(region, cell);
+    cell.rows.clear();
+    study::Notes notes(cell);
+    yoshida::put_region(region, notes);
   }
   CHECK(verdict(concluded(record), "monotone-region") == "reproduced");
 }

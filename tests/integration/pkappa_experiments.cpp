@@ -1,7 +1,5 @@
 // The experiments on pκ-curves: what they conclude, and that they conclude otherwise from other data.
 
-#include "experiments/papers/pkappa-2024-wang/common.hpp"
-
 #include <array>
 #include <cmath>
 #include <functional>
@@ -10,8 +8,13 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/study/summaries.hpp"
-#include "metrics/parabola_energy.hpp"
+#include "experiments/papers/pkappa-2024-wang/energies.hpp"
+#include "experiments/papers/pkappa-2024-wang/inputs.hpp"
+#include "experiments/papers/pkappa-2024-wang/ranks.hpp"
+#include "experiments/papers/pkappa-2024-wang/two_ways.hpp"
+#include "experiments/papers/pkappa-2024-wang/weights.hpp"
+#include "experiments/study/notes.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
 #include "tests/integration/experiment_records.hpp"
@@ -21,29 +24,35 @@ using namespace kappabench::test;
 
 namespace {
 
-/// The cells of an experiment without their results: nothing is computed.
-store::ExperimentRecord blank(const std::string& id) {
-  store::ExperimentRecord record{.id = id};
-  for (const CellJob& job : find_experiment(id).jobs({.registry = all_schemes()}))
-    record.cells.push_back({.dataset = job.dataset,
-                            .scheme = job.scheme,
-                            .parameters = job.parameters,
-                            .label = job.label,
-                            .key = job.key,
-                            .outcome = "converged"});
-  return record;
+/// Rows of one number each: the numbers of a quantity, told apart by curve.
+void fill(store::CellRecord& cell, const std::vector<study::KeyIs>& keys, const std::string& quantity,
+          const std::vector<double>& values) {
+  const study::Quantity what{quantity, "1", Method::sampled};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    std::vector<study::KeyIs> own = keys;
+    own.push_back(wang::curve_number(i));
+    study::Notes(cell).row(own, {what(values[i])});
+  }
 }
 
-/// Appends values of a column to the cells whose label contains `part`.
-void fill(store::ExperimentRecord& record, const std::string& part, const std::string& column,
-          const std::vector<double>& values) {
+/// The same in every cell of random curves with this label.
+void fill(store::ExperimentRecord& record, const std::string& label, const std::string& quantity,
+          const std::vector<double>& values, const std::vector<study::KeyIs>& keys = {}) {
   bool found = false;
   for (store::CellRecord& cell : record.cells) {
-    if (cell.label.find(part) == std::string::npos) continue;
+    if (cell.label != label || !cell.dataset.starts_with("random")) continue;
     found = true;
-    for (const double value : values) study::put(cell, column, value);
+    fill(cell, keys, quantity, values);
   }
   REQUIRE(found);
+}
+
+/// Gives every pair of weights one curve with a number of its own.
+void fill_weights(store::ExperimentRecord& record, const std::string& quantity, const std::array<double, 8>& values) {
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const std::string_view words = wang::table_1[p].words;
+    fill(record, "random " + std::string(words), quantity, {values[p]}, {wang::weights_key(words)});
+  }
 }
 
 std::string verdict_with(const std::string& experiment, const std::string& claim,
@@ -51,16 +60,6 @@ std::string verdict_with(const std::string& experiment, const std::string& claim
   store::ExperimentRecord record = blank(experiment);
   fill_in(record);
   return verdict(concluded(record), claim);
-}
-
-const std::array<std::string, 8> weights{"(0, 0)",     "(0, 0.1)", "(0.01, 0.1)", "(1, 0.1)",
-                                         "(0.1, 0.1)", "(0.1, 0)", "(0.1, 0.01)", "(0.1, 1)"};
-/// Mean energies of Table 1.
-const std::array<double, 8> printed{8.33e-3, 3.18e-4, 3.02e-4, 1.67e-2, 1.18e-4, 6.51e-4, 2.27e-3, 3.32e-4};
-
-/// Gives every pair of weights one curve with this mean energy.
-void fill_means(store::ExperimentRecord& record, const std::array<double, 8>& means) {
-  for (std::size_t p = 0; p < weights.size(); ++p) fill(record, "random " + weights[p], "mean", {means[p]});
 }
 
 }  // namespace
@@ -101,9 +100,13 @@ TEST_CASE("pkappa experiments: runs repeat, tables and figures are filled") {
 TEST_CASE("pkappa experiments: verdicts on what an edit changes follow the counts") {
   const auto with = [](double inserted, double moved, double at_end) {
     return [=](store::ExperimentRecord& record) {
-      fill(record, "as printed", "changed by an insertion", {3, inserted});
-      fill(record, "as printed", "changed by moving", {3, moved});
-      fill(record, "as printed", "changed by moving near an end", {2, at_end});
+      const study::Key edit{"edit"};
+      const auto changed = [&](const std::string& what, const std::vector<double>& counts) {
+        fill(record, "as printed", "changed segments", counts, {edit(what)});
+      };
+      changed("a point appended", {3, inserted});
+      changed("a point moved", {3, moved});
+      changed("one of the two at an open end moved", {2, at_end});
     };
   };
   for (const auto& [claim, values] : {std::pair("insertion-changes-three", std::array{4.0, 3.0, 2.0}),
@@ -116,45 +119,40 @@ TEST_CASE("pkappa experiments: verdicts on what an edit changes follow the count
 }
 
 TEST_CASE("pkappa experiments: verdicts on weights follow the energies") {
-  const auto means = [](const std::array<double, 8>& all) {
-    return [all](store::ExperimentRecord& record) { fill_means(record, all); };
+  const auto with = [](const std::string& claim, const std::string& quantity, const std::array<double, 8>& values) {
+    return verdict_with("pkappa-weights", claim,
+                        [&](store::ExperimentRecord& record) { fill_weights(record, quantity, values); });
   };
-  std::array<double, 8> opposite{};
-  for (std::size_t p = 0; p < 8; ++p) opposite[p] = 1e-6 / printed[p];
+  std::array<double, 8> printed{}, opposite{};
+  for (std::size_t p = 0; p < 8; ++p) {
+    printed[p] = wang::table_1[p].mean;
+    opposite[p] = 1e-6 / printed[p];
+  }
   for (const std::string claim : {"table-1-order", "best-weights", "favourable-range"}) {
     INFO(claim);
-    CHECK(verdict_with("pkappa-weights", claim, means(printed)) == "reproduced");
-    CHECK(verdict_with("pkappa-weights", claim, means(opposite)) == "contradicted");
+    CHECK(with(claim, "mean E", printed) == "reproduced");
+    CHECK(with(claim, "mean E", opposite) == "contradicted");
   }
-  const auto lengths = [](double without) {
-    return [without](store::ExperimentRecord& record) {
-      for (const std::string& pair : weights)
-        fill(record, "random " + pair, "length", {pair == "(0, 0)" ? without : 1});
-    };
+  const auto all_but = [](double others, std::size_t pair, double value) {
+    std::array<double, 8> values{};
+    values.fill(others);
+    values[pair] = value;
+    return values;
   };
-  CHECK(verdict_with("pkappa-weights", "no-weights-elongate", lengths(2.0)) == "reproduced");
-  CHECK(verdict_with("pkappa-weights", "no-weights-elongate", lengths(0.5)) == "contradicted");
-  const auto crossings = [](double heavy) {
-    return [heavy](store::ExperimentRecord& record) {
-      for (const std::string& pair : weights)
-        fill(record, "random " + pair, "crossings", {pair == "(1, 0.1)" ? heavy : 1});
-    };
-  };
-  CHECK(verdict_with("pkappa-weights", "large-edge-weight-crosses", crossings(3)) == "reproduced");
-  CHECK(verdict_with("pkappa-weights", "large-edge-weight-crosses", crossings(1)) == "not reproduced");
-  CHECK(verdict_with("pkappa-weights", "large-edge-weight-crosses", crossings(0)) == "contradicted");
-  const auto sensitivity = [](double change) {
-    return [change](store::ExperimentRecord& record) { fill(record, "random ", "sensitivity", {change}); };
-  };
-  CHECK(verdict_with("pkappa-weights", "table-1-three-digits", sensitivity(1e-6)) == "reproduced");
-  CHECK(verdict_with("pkappa-weights", "table-1-three-digits", sensitivity(0.5)) == "contradicted");
+  CHECK(with("no-weights-elongate", "length over chords", all_but(1, wang::unweighted, 2.0)) == "reproduced");
+  CHECK(with("no-weights-elongate", "length over chords", all_but(1, wang::unweighted, 0.5)) == "contradicted");
+  for (const auto& [crossings, expected] :
+       {std::pair(3.0, "reproduced"), std::pair(1.0, "not reproduced"), std::pair(0.0, "contradicted")})
+    CHECK(with("large-edge-weight-crosses", "crossings", all_but(1, wang::heavy_edges, crossings)) == expected);
+  CHECK(with("table-1-three-digits", "sensitivity", all_but(1e-6, 0, 1e-6)) == "reproduced");
+  CHECK(with("table-1-three-digits", "sensitivity", all_but(0.5, 0, 0.5)) == "contradicted");
 }
 
 TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost follow the data") {
   const auto stages = [](double after) {
     return [after](store::ExperimentRecord& record) {
-      fill(record, "random: printed, stage 1", "mean E", {1e-3});
-      fill(record, "random: printed, stage 2", "mean E", {after});
+      fill(record, "printed, stage 1", "mean E", {1e-3});
+      fill(record, "printed, stage 2", "mean E", {after});
     };
   };
   CHECK(verdict_with("pkappa-stages", "stage-2-lowers-energy", stages(1e-4)) == "reproduced");
@@ -162,17 +160,20 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
 
   const auto energies = [](double geometric) {
     return [geometric](store::ExperimentRecord& record) {
-      for (const std::string parametric : {"C1, open", "C2, open"}) fill(record, parametric, "mean E", {1e-3});
-      for (const std::string other : {"G1, open", "G2, open"}) fill(record, other, "mean E", {geometric});
+      for (const std::string parametric : {"C1, open, local", "C2, open, local"})
+        fill(record, parametric, "mean E", {1e-3});
+      for (const std::string other : {"G1, open, local", "G2, open, local"}) fill(record, other, "mean E", {geometric});
     };
   };
   CHECK(verdict_with("pkappa-continuity", "geometric-lowers-energy", energies(1e-4)) == "reproduced");
   CHECK(verdict_with("pkappa-continuity", "geometric-lowers-energy", energies(1e-2)) == "contradicted");
   const auto curves = [](const std::string& column, double value) {
     return [column, value](store::ExperimentRecord& record) {
-      fill(record, "open, local", "solved", {1});
-      fill(record, "open, local", "segments", {8});
-      fill(record, "open, local", column, {value});
+      const study::Quantity solved = study::count_of("solved"), segments = study::count_of("segments"),
+                            measured{column, "1", Method::sampled};
+      for (store::CellRecord& cell : record.cells)
+        if (cell.label.ends_with("open, local"))
+          study::Notes(cell).row({wang::curve_number(0)}, {solved(1), segments(8), measured(value)});
     };
   };
   const std::string few = "segments_with_at_most_two_intervals", offset = "extremum_offset_mean";
@@ -185,9 +186,9 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
 
   const auto asymmetry = [](double local, double global) {
     return [local, global](store::ExperimentRecord& record) {
-      for (store::CellRecord& cell : record.cells)
-        if (cell.label == "numbers: local" || cell.label == "numbers: global")
-          study::put(cell, "symmetric, open", cell.label == "numbers: local" ? local : global);
+      const study::Key question{"question"};
+      fill(record, "local", "deviation", {local}, {question("symmetric, open")});
+      fill(record, "global", "deviation", {global}, {question("symmetric, open")});
     };
   };
   const std::string order = "pkappa-order-and-symmetry";
@@ -212,8 +213,7 @@ TEST_CASE("pkappa experiments: the table of solvers compares with Levenberg-Marq
   for (const auto& [way, energy, seconds] :
        {std::tuple("lm, local, stage 1", 0.02, 1e-3), std::tuple("nlopt, local, stage 1", 0.03, 4e-3)}) {
     cell.timings[way] = {seconds, seconds};
-    study::put(cell, std::string(way) + ": energy", energy);
-    study::put(cell, std::string(way) + ": energy", std::numeric_limits<double>::quiet_NaN());
+    fill(cell, {study::Key{"way"}(way)}, "energy", {energy, undefined});
   }
   const store::ExperimentRecord done = concluded(record);
   const store::TableRecord& solvers = table_of(done, "solvers");
@@ -237,7 +237,7 @@ TEST_CASE("pkappa experiments: the bounds of the gallery are those of its curves
 TEST_CASE("pkappa experiments: energies are those of the paper's equations") {
   const Drawing stages = wang::scaled_to(wang::drawing("stages"), 3.0);
   CHECK(mean_chord(stages.curves.front()) == Approx(3.0));
-  const SchemePtr scheme = wang::pkappa(all_schemes(), "");
+  const SchemePtr scheme = all_schemes().create("pkappa");
   const Fit fit = scheme->fit(stages.curves.front());
   REQUIRE(fit.curve);
   const std::vector<double> energies = wang::parabola_energies(*fit.curve);
@@ -253,21 +253,22 @@ TEST_CASE("pkappa experiments: energies are those of the paper's equations") {
                    false);
   CHECK(wang::first_stage_energy(line, 1.0) == Approx(0.1 * 14.0 + 0.1 * 34.0));
   CHECK(wang::first_stage_energy(line, 2.0) == Approx(0.1 * 14.0 / 4.0 + 0.1 * 34.0 / 16.0));
-  CHECK(wang::same(line.segment(0), line.segment(0)));
-  CHECK_FALSE(wang::same(line.segment(0), fit.curve->segment(0)));
 }
 
-TEST_CASE("pkappa experiments: rank correlation and verdicts on what happens often") {
+TEST_CASE("pkappa experiments: rank correlation and two ways curve by curve") {
   CHECK(wang::rank_correlation({1, 2, 3, 4}, {10, 20, 30, 1000}) == Approx(1.0));
   CHECK(wang::rank_correlation({1, 2, 3, 4}, {4, 3, 2, 1}) == Approx(-1.0));
   CHECK(wang::rank_correlation({1, 2, 2, 3}, {1, 2, 2, 3}) == Approx(1.0));
   // By hand: ranks (0, 1, 2) against (1, 0, 2) give 1 - 6 * 2 / (3 * 8).
   CHECK(wang::rank_correlation({1, 2, 3}, {5, 4, 6}) == Approx(0.5));
   CHECK(std::isnan(wang::rank_correlation({1, 2}, {1, 2})));
+  CHECK(std::isnan(wang::rank_correlation({1, 2, undefined}, {1, 2, 3})));
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK(wang::rank_correlation({1, 2, infinite}, {1, 2, 3}) == Approx(1.0));
-  CHECK(wang::verdict_often({}) == "not reproduced");
-  CHECK(wang::verdict_often({.agree = 2, .cases = 3}) == "reproduced");
-  CHECK(wang::verdict_often({.agree = 3, .cases = 5}) == "not reproduced");
-  CHECK(wang::verdict_often({.agree = 2, .cases = 5}) == "contradicted");
+  // Of the last pair one number is missing; the second differs by less than the margin.
+  const wang::TwoWays both({{1.0, 2.0}, {1.0, 1.0 + 1e-9}, {3.0, 1.0}, {undefined, 1.0}}, 1e-6);
+  CHECK(both.first_lower.cases == 3.0);
+  CHECK(both.first_lower.agree == 1.0);
+  CHECK(both.second_lower.agree == 1.0);
+  CHECK(both.ratios.back() == 3.0);
 }

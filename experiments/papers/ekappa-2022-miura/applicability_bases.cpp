@@ -1,9 +1,10 @@
 #include "experiments/papers/ekappa-2022-miura/applicability_bases.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace kappabench {
+namespace kappabench::miura {
 
 namespace {
 
@@ -84,6 +85,10 @@ const std::vector<DegenerateBasis>& degenerate_bases() {
   return bases;
 }
 
+const DegenerateBasis& basis_named(std::string_view id) {
+  return *std::ranges::find(degenerate_bases(), id, &DegenerateBasis::id);
+}
+
 std::array<Blending, 3> blending_functions(const DegenerateBasis& basis, double alpha, double t) {
   const Blending last = basis.last(t, alpha), mirrored = basis.last(1.0 - t, alpha);
   const Blending first{mirrored.value, -mirrored.first, mirrored.second};
@@ -100,4 +105,4 @@ Jet degenerate_curve(const DegenerateBasis& basis, double alpha, const std::arra
   return jet;
 }
 
-}  // namespace kappabench
+}  // namespace kappabench::miura

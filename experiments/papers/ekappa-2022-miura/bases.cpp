@@ -1,55 +1,54 @@
-#include "experiments/run/experiment.hpp"
-
-#include <fmt/format.h>
+// Miura 2022, Figs. 11 and 12: are trigonometric curves more rounded than cubic Bernstein ones, and do both approach?
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 #include "experiments/papers/ekappa-2022-miura/common.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/selection.hpp"
-#include "experiments/study/study.hpp"
-#include "experiments/study/summaries.hpp"
-#include "experiments/study/verdicts.hpp"
 #include "metrics/correspondence.hpp"
 #include "schemes/curve/jet.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace miura;
-using namespace study;
-
-namespace {
+using study::Findings, study::Key, study::KeyIs, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table,
+    study::Tally;
 
 constexpr std::string_view about =
     "The same points by cubic Bernstein and by quadratic trigonometric segments. Miura et al. call the latter more "
     "rounded, and say that both approach the polygon of the points as a grows. Roundness is measured by the largest "
     "over the mean magnitude of curvature, by the total variation of curvature, and by the distance from the polygon.";
 
-/// Bottom row of Fig. 11; the last two also in its top row.
-constexpr std::array<Shape, 4> trigonometric_shapes{{{0.55, "0.55"}, {0.6, "0.6"}, {0.75, "0.75"}, {0.9, "0.9"}}};
-constexpr std::array<Shape, 3> bernstein_shapes{{{2.0 / 3.0, "2/3"}, {0.75, "0.75"}, {0.9, "0.9"}}};
-/// Where the families are measured: both at the shared values, the trigonometric one also at its gentler two.
-constexpr std::array<Shape, 4> shared_shapes{{{2.0 / 3.0, "2/3"}, {0.75, "0.75"}, {0.9, "0.9"}, {0.99, "0.99"}}};
-constexpr std::array<Shape, 2> gentle_shapes{{{0.55, "0.55"}, {0.6, "0.6"}}};
-constexpr std::string_view bernstein = "Bernstein", trigonometric_family = "trigonometric";
+/// The values of a at which both families are measured, and two more at which the trigonometric one is gentler.
+constexpr std::array<Shape, 4> bernstein_shapes{{{2.0 / 3.0, "2/3"}, {0.75, "0.75"}, {0.9, "0.9"}, {0.99, "0.99"}}};
+constexpr std::array<Shape, 6> trigonometric_shapes{
+    {{0.55, "0.55"}, {0.6, "0.6"}, bernstein_shapes[0], bernstein_shapes[1], bernstein_shapes[2], bernstein_shapes[3]}};
+constexpr std::size_t gentler = trigonometric_shapes.size() - bernstein_shapes.size();
+/// The Bernstein curve that the k-th trigonometric one is compared with: the same a; for the gentler two the κ-curve.
+const Shape& counterpart(std::size_t k) { return bernstein_shapes[k < gentler ? 0 : k - gentler]; }
 
-/// The columns of Fig. 11 and the shared values: trigonometric, Bernstein.
-constexpr std::array<std::pair<Shape, Shape>, 6> compared{{{gentle_shapes[0], shared_shapes[0]},
-                                                           {gentle_shapes[1], shared_shapes[0]},
-                                                           {shared_shapes[0], shared_shapes[0]},
-                                                           {shared_shapes[1], shared_shapes[1]},
-                                                           {shared_shapes[2], shared_shapes[2]},
-                                                           {shared_shapes[3], shared_shapes[3]}}};
+constexpr std::string_view kappa_label = "κ-curve";
+std::string bernstein(const Shape& shape) { return fmt::format("Bernstein, a = {}", shape.words); }
+std::string trigonometric(const Shape& shape) { return fmt::format("trigonometric, a = {}", shape.words); }
+
+// ---- what is measured
 
 /// Curves of more points are left out: with a = 0.55 they can take many seconds, for one row among hundreds.
 constexpr int most_points = 100;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kappa_label = "κ-curve";
-std::string label(std::string_view family, std::string_view words) { return fmt::format("{}, a = {}", family, words); }
+
+/// A row for each curve and spline, "Bernstein, a = 0.75"; NaN without a solution.
+const Key spline{"spline"};
+const Quantity peak_over_mean{"peak over mean curvature", "1", Method::sampled};
+const Quantity variation{"total variation times length", "1", Method::sampled};
+const Quantity to_polygon{"distance to the polygon", "1", Method::sampled};
+/// A row for each curve and a.
+const Quantity apart{"distance between the families", "1", Method::sampled};
 
 double distance_to_chord(const Vec2& p, const Vec2& from, const Vec2& to) {
   const Vec2 chord = to - from;
@@ -78,209 +77,180 @@ struct Roundness {
 
 Roundness roundness(const Curve& curve) {
   const CurveSamples samples = sample(curve, 33, 2);
-  double peak = 0.0, variation = 0.0, turning = 0.0, length = 0.0;
+  double peak = 0.0, varies = 0.0, turning = 0.0, length = 0.0;
   for (const Node& node : curve.nodes()) peak = std::max(peak, curvature_at(curve, node));
   double before = curvature(curve.closed() ? samples.jets.back() : samples.jets.front());
   for (std::size_t i = 0; i < samples.jets.size(); ++i) {
     const Jet& jet = samples.jets[i];
     const double kappa = curvature(jet);
     peak = std::max(peak, std::abs(kappa));
-    variation += std::abs(kappa - before);
+    varies += std::abs(kappa - before);
     before = kappa;
     if (i % samples.t.size() == 0) continue;
     const Jet& last = samples.jets[i - 1];
     length += (jet.position() - last.position()).norm();
     turning += std::abs(std::atan2(cross(last.d[1], jet.d[1]), last.d[1].dot(jet.d[1])));
   }
-  return {turning > 0.0 ? peak * length / turning : none, variation * length};
+  return {turning > 0.0 ? peak * length / turning : undefined, varies * length};
 }
 
-/// The columns "<family> <a> <what>" of one fit, NaN without a solution; returns its spans.
-std::vector<Span> measure_fit(const Fit& fit, std::string_view family, const Shape& shape, store::CellRecord& cell) {
-  const bool curve = solved(fit);
-  const Roundness round = curve ? roundness(*fit.curve) : Roundness{none, none};
+/// Puts the numbers of one fit, and returns its spans.
+std::vector<Span> measure_fit(const Fit& fit, int number, const std::string& label, Notes& notes) {
+  const bool curve = study::solved(fit);
+  const Roundness round = curve ? roundness(*fit.curve) : Roundness{undefined, undefined};
   std::vector<Span> parts = curve ? spans(*fit.curve) : std::vector<Span>{};
-  const double polygon = curve ? distance_to_polygon(parts, fit.input) / mean_chord(fit.input) : none;
-  const auto column = [&](std::string_view what) { return fmt::format("{} {} {}", family, shape.words, what); };
-  put(cell, column("peak over mean"), round.peak_over_mean, Method::sampled);
-  put(cell, column("variation"), round.variation, Method::sampled);
-  put(cell, column("polygon"), polygon, Method::sampled);
+  const double polygon = curve ? distance_to_polygon(parts, fit.input) / mean_chord(fit.input) : undefined;
+  notes.row({curve_key(number), spline(label)},
+            {peak_over_mean(round.peak_over_mean), variation(round.variation), to_polygon(polygon)});
   return parts;
 }
 
-void measure_curve(const Registry& registry, const Input& input, store::CellRecord& cell) {
-  for (const Shape& shape : gentle_shapes)
-    (void)measure_fit(trigonometric(registry, shape.a)->fit(input), trigonometric_family, shape, cell);
-  for (const Shape& shape : shared_shapes) {
-    const auto first = measure_fit(cubic(registry, shape.a)->fit(input), bernstein, shape, cell);
-    const auto second = measure_fit(trigonometric(registry, shape.a)->fit(input), trigonometric_family, shape, cell);
-    const bool both = !first.empty() && !second.empty();
-    const double apart = both ? deviation(first, second, input.closed) / mean_chord(input) : none;
-    put(cell, fmt::format("apart {}", shape.words), std::isfinite(apart) ? apart : none, Method::sampled);
+/// The schemes: Bernstein, then trigonometric, in the order of their shapes.
+void measure_curve(const Uses& uses, const Input& input, int number, Notes& notes) {
+  std::vector<std::vector<Span>> first, second;
+  for (const Shape& shape : bernstein_shapes)
+    first.push_back(measure_fit(uses.schemes[first.size()]->fit(input), number, bernstein(shape), notes));
+  for (const Shape& shape : trigonometric_shapes)
+    second.push_back(
+        measure_fit(uses.schemes[first.size() + second.size()]->fit(input), number, trigonometric(shape), notes));
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const auto &one = first[k], &other = second[gentler + k];
+    const bool both = !one.empty() && !other.empty();
+    const double distance = both ? deviation(one, other, input.closed) / mean_chord(input) : undefined;
+    notes.row({curve_key(number), shape_key(bernstein_shapes[k].words)},
+              {apart(std::isfinite(distance) ? distance : undefined)});
   }
 }
 
-void add_drawn_jobs(std::vector<CellJob>& jobs, const Context& context, const Drawing& drawing) {
-  jobs.push_back(drawn_job(drawing, context.registry.create("kappa"), std::string(kappa_label)));
-  for (const Shape& shape : bernstein_shapes)
-    jobs.push_back(drawn_job(drawing, cubic(context.registry, shape.a), label(bernstein, shape.words)));
-  for (const Shape& shape : trigonometric_shapes)
-    jobs.push_back(
-        drawn_job(drawing, trigonometric(context.registry, shape.a), label(trigonometric_family, shape.words)));
+void measure(const Uses& uses, Notes& notes) {
+  for (int number = 0; const Input& input : uses.drawings.front().curves) {
+    if (input.size() <= most_points) measure_curve(uses, input, number, notes);
+    ++number;
+  }
 }
+
+/// Fig. 11, its top row and its bottom row.
+std::vector<std::string> top_row() {
+  return {std::string(kappa_label), bernstein(bernstein_shapes[0]), bernstein(bernstein_shapes[1]),
+          bernstein(bernstein_shapes[2])};
+}
+const std::array<Shape, 4> bottom_row{trigonometric_shapes[0], trigonometric_shapes[1], trigonometric_shapes[3],
+                                      trigonometric_shapes[4]};
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
-  for (const Drawing& drawing : drawings_or(context, {"five-drop", "christmas-tree"}))
-    add_drawn_jobs(jobs, context, drawing);
-  const Registry& registry = context.registry;
+  std::vector<SchemePtr> schemes;
+  for (const Shape& shape : bernstein_shapes) schemes.push_back(cubic(context.registry, shape.a));
+  for (const Shape& shape : trigonometric_shapes) schemes.push_back(miura::trigonometric(context.registry, shape.a));
+  for (const Drawing& drawing : study::drawings_or(context, {"five-drop", "christmas-tree"})) {
+    jobs.push_back(fit_job(drawing, context.registry.create("kappa"), {}, std::string(kappa_label)));
+    for (std::size_t k = 0; k < 3; ++k)
+      jobs.push_back(fit_job(drawing, schemes[k], {}, bernstein(bernstein_shapes[k])));
+    for (const Shape& shape : bottom_row)
+      jobs.push_back(fit_job(drawing, miura::trigonometric(context.registry, shape.a), {}, trigonometric(shape)));
+  }
   for (const Drawing& drawing : study::drawings_of(context))
-    jobs.push_back(study_job(drawing, trigonometric(registry, 0.75), "bases", 1,
-                             [&registry](const Drawing& points, store::CellRecord& cell) {
-                               for (const Input& input : points.curves)
-                                 if (input.size() <= most_points) measure_curve(registry, input, cell);
-                             }));
+    jobs.push_back(study::numbers_job<measure>(
+        {.work = "bases", .schemes = schemes, .drawings = {drawing}, .metrics = {&find_metric("locality")}}));
   return jobs;
 }
 
-// ---- from the finished cells
+// ---- what follows
 
-std::vector<double> column(const store::ExperimentRecord& record, std::string_view family, const Shape& shape,
-                           std::string_view what) {
-  return values(record, fmt::format("{} {} {}", family, shape.words, what));
+/// On how many curves the quantity is smaller with the first key than with the second, where both are defined.
+Tally smaller(const Findings& found, const Quantity& what, const KeyIs& first, const KeyIs& second) {
+  Tally tally;
+  for (const auto& [one, other] : found.rows().pairs(what, first, second))
+    if (!std::isnan(one) && !std::isnan(other)) tally.add(one < other);
+  return tally;
 }
 
-std::vector<double> apart(const store::ExperimentRecord& record, const Shape& shape) {
-  return values(record, fmt::format("apart {}", shape.words));
+/// The k-th trigonometric curve against its counterpart.
+Tally less(const Findings& found, const Quantity& what, std::size_t k) {
+  return smaller(found, what, spline(trigonometric(trigonometric_shapes[k])), spline(bernstein(counterpart(k))));
 }
 
-/// Curves where the first number is smaller than the second, and curves that have both.
-struct Count {
-  double smaller = 0.0, cases = 0.0;
-  Count& operator+=(const Count& other) {
-    smaller += other.smaller, cases += other.cases;
-    return *this;
-  }
-};
+/// "smaller" the other way around, on the same curves.
+Tally others(const Tally& tally) { return {tally.misses(), tally.cases}; }
 
-Count count_smaller(const std::vector<double>& a, const std::vector<double>& b) {
-  Count count;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    if (std::isnan(a[i]) || std::isnan(b[i])) continue;
-    count.cases += 1.0;
-    count.smaller += a[i] < b[i] ? 1.0 : 0.0;
-  }
-  return count;
-}
+Rows of(const Findings& found, const std::string& label) { return found.rows().where({spline(label)}); }
 
-/// Curves on which the trigonometric curve has less of it than the Bernstein one.
-Count less(const store::ExperimentRecord& record, std::string_view what, const std::pair<Shape, Shape>& shapes) {
-  return count_smaller(column(record, trigonometric_family, shapes.first, what),
-                       column(record, bernstein, shapes.second, what));
-}
-
-store::TableRecord family_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("families", "Roundness of both families",
-                       "Medians over the curves of up to 100 points of all drawings, as far as solved. Peak over mean "
-                       "is the largest over the "
-                       "mean |κ| along the curve (1 for a circle); variation is the total variation of κ times the "
-                       "length; the distance is over the mean chord, largest along a curve.");
-  builder.words("family").words("a").numbers("a as a number").counts("curves").numbers("peak over mean");
-  builder.numbers("variation").numbers("distance to the polygon");
-  const auto row = [&](std::string_view family, const Shape& shape) {
-    const auto of = [&](std::string_view what) { return column(record, family, shape, what); };
-    builder.row({std::string(family), std::string(shape.words), shape.a,
-                 count_smaller(of("polygon"), of("polygon")).cases, median(of("peak over mean")),
-                 median(of("variation")), median(of("polygon"))});
+Table family_table(const Findings& found) {
+  Table table("families", "Roundness of both families",
+              "Medians over the curves of up to 100 points of all drawings, as far as solved. Peak over mean is the "
+              "largest over the mean |κ| along the curve (1 for a circle); variation is the total variation of κ times "
+              "the length; the distance is over the mean chord, largest along a curve.");
+  table.words("family").words("a").numbers("a as a number").counts("curves").numbers("peak over mean");
+  table.numbers("variation").numbers("distance to the polygon");
+  const auto row = [&](std::string_view family, const Shape& shape, const Rows& rows) {
+    table.row({family, shape.words, shape.a, defined(rows.values(to_polygon)).size(), rows.median(peak_over_mean),
+               rows.median(variation), rows.median(to_polygon)});
   };
-  for (const Shape& shape : shared_shapes) row(bernstein, shape);
-  for (const Shape& shape : gentle_shapes) row(trigonometric_family, shape);
-  for (const Shape& shape : shared_shapes) row(trigonometric_family, shape);
-  return builder.table();
+  for (const Shape& shape : bernstein_shapes) row("Bernstein", shape, of(found, bernstein(shape)));
+  for (const Shape& shape : trigonometric_shapes) row("trigonometric", shape, of(found, trigonometric(shape)));
+  return table;
 }
 
-store::TableRecord comparison_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("comparison", "Trigonometric against Bernstein",
-                       "Counts of the curves on which the trigonometric one is rounder: a smaller number, or farther "
-                       "from the polygon. The first two rows compare with the κ-curve, as Fig. 11 does.");
-  builder.words("trigonometric a").words("Bernstein a").counts("curves").counts("smaller peak over mean");
-  builder.counts("smaller variation").counts("farther from the polygon");
-  for (const auto& shapes : compared) {
-    const Count peak = less(record, "peak over mean", shapes), polygon = less(record, "polygon", shapes);
-    builder.row({std::string(shapes.first.words), std::string(shapes.second.words), peak.cases, peak.smaller,
-                 less(record, "variation", shapes).smaller, polygon.cases - polygon.smaller});
+Table comparison_table(const Findings& found) {
+  Table table("comparison", "Trigonometric against Bernstein",
+              "Counts of the curves on which the trigonometric one is rounder: a smaller number, or farther "
+              "from the polygon. The first two rows compare with the κ-curve, as Fig. 11 does.");
+  table.words("trigonometric a").words("Bernstein a").counts("curves").counts("smaller peak over mean");
+  table.counts("smaller variation").counts("farther from the polygon");
+  for (std::size_t k = 0; k < trigonometric_shapes.size(); ++k) {
+    const Tally peak = less(found, peak_over_mean, k);
+    table.row({trigonometric_shapes[k].words, counterpart(k).words, peak.cases, peak.agree,
+               less(found, variation, k).agree, less(found, to_polygon, k).misses()});
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord distance_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "distances", "Distances as a grows",
-      "Largest distance along a curve over the mean chord: from the polygon of the points, and between "
-      "the families at the same a at equal parts of the arc length from point to point.");
-  builder.words("distance").words("a").numbers("a as a number").counts("curves").numbers("median").numbers("largest");
-  const auto row = [&](std::string words, const Shape& shape, const std::vector<double>& distances) {
-    builder.row({std::move(words), std::string(shape.words), shape.a, count_smaller(distances, distances).cases,
-                 median(distances), largest(distances)});
+Table distance_table(const Findings& found) {
+  Table table("distances", "Distances as a grows",
+              "Largest distance along a curve over the mean chord: from the polygon of the points, and between "
+              "the families at the same a at equal parts of the arc length from point to point.");
+  table.words("distance").words("a").numbers("a as a number").counts("curves").numbers("median").numbers("largest");
+  const auto row = [&](std::string_view words, const Shape& shape, const std::vector<double>& distances) {
+    table.row({words, shape.words, shape.a, defined(distances).size(), median(distances), largest(distances)});
   };
-  for (const std::string_view family : {bernstein, trigonometric_family})
-    for (const Shape& shape : shared_shapes)
-      row(fmt::format("{} to the polygon", family), shape, column(record, family, shape, "polygon"));
-  for (const Shape& shape : shared_shapes) row("between the families", shape, apart(record, shape));
-  return builder.table();
+  for (const Shape& shape : bernstein_shapes)
+    row("Bernstein to the polygon", shape, of(found, bernstein(shape)).values(to_polygon));
+  for (const Shape& shape : bernstein_shapes)
+    row("trigonometric to the polygon", shape, of(found, trigonometric(shape)).values(to_polygon));
+  for (const Shape& shape : bernstein_shapes)
+    row("between the families", shape, found.rows().where({shape_key(shape.words)}).values(apart));
+  return table;
 }
 
 /// Fig. 11: κ and Bernstein above, trigonometric below.
-std::optional<store::FigureRecord> rows_figure(const store::ExperimentRecord& record, const std::string& dataset) {
-  store::FigureRecord figure{.id = "ekappa-bases-" + dataset,
-                             .title = fmt::format("Bernstein and trigonometric basis: {}", dataset),
+store::FigureRecord rows_figure(const Findings& found, const std::string& drawing) {
+  store::FigureRecord figure{.id = "ekappa-bases-" + drawing,
+                             .title = "Bernstein and trigonometric basis: " + drawing,
                              .caption =
                                  "Top: the κ-curve and cubic Bernstein curves; the first two are the same curve. "
                                  "Bottom: quadratic trigonometric curves. Curvature combs to one scale.",
-                             .columns = 4,
-                             .panels = {}};
-  std::vector<std::string> labels{std::string(kappa_label)};
-  for (const Shape& shape : bernstein_shapes) labels.push_back(label(bernstein, shape.words));
-  for (const Shape& shape : trigonometric_shapes) labels.push_back(label(trigonometric_family, shape.words));
-  for (const std::string& text : labels) {
-    const auto index = drawn_cell(record, dataset, text);
-    if (!index) return std::nullopt;
-    store::PanelRecord panel{.kind = "curve", .title = text, .cells = {*index}};
-    panel.comb = true;
-    figure.panels.push_back(std::move(panel));
-  }
+                             .columns = 4};
+  std::vector<std::string> labels = top_row();
+  for (const Shape& shape : bottom_row) labels.push_back(trigonometric(shape));
+  for (const std::string& label : labels)
+    if (const auto cell = found.find(drawing, label)) figure.panels.push_back(Panel::curves({*cell}, label).comb());
   return figure;
 }
 
 /// Fig. 12: the drawing in both families, side by side.
-std::optional<store::FigureRecord> pair_figure(const store::ExperimentRecord& record, const std::string& dataset) {
-  store::FigureRecord figure{.id = "ekappa-bases-" + dataset,
-                             .title = fmt::format("Both bases on a drawing: {}", dataset),
+store::FigureRecord pair_figure(const Findings& found, const std::string& drawing) {
+  store::FigureRecord figure{.id = "ekappa-bases-" + drawing,
+                             .title = "Both bases on a drawing: " + drawing,
                              .caption =
                                  "Cubic Bernstein basis and quadratic trigonometric basis. The paper does not print "
                                  "the a of its Fig. 12: with the same a the trigonometric curve is the sharper "
                                  "one, with a = 0.55 it is the rounder one.",
-                             .columns = 3,
-                             .panels = {}};
-  for (const std::string& text :
-       {label(bernstein, "0.75"), label(trigonometric_family, "0.75"), label(trigonometric_family, "0.55")}) {
-    const auto index = drawn_cell(record, dataset, text);
-    if (!index) return std::nullopt;
-    store::PanelRecord panel{.kind = "curve", .title = text, .cells = {*index}};
-    panel.joints = false;
-    figure.panels.push_back(std::move(panel));
-  }
+                             .columns = 3};
+  const Shape& same = bernstein_shapes[1];
+  for (const std::string& label : {bernstein(same), trigonometric(same), trigonometric(trigonometric_shapes[0])})
+    if (const auto cell = found.find(drawing, label))
+      figure.panels.push_back(Panel::curves({*cell}, label).without_joints());
   return figure;
-}
-
-store::PanelRecord graph(std::string table, std::string y, std::string series, std::string title) {
-  store::PanelRecord panel{.kind = "graph", .title = std::move(title)};
-  panel.table = std::move(table);
-  panel.x = "a as a number";
-  panel.x_label = "a";
-  panel.y = {std::move(y)};
-  panel.series = std::move(series);
-  return panel;
 }
 
 store::FigureRecord numbers_figure() {
@@ -290,86 +260,84 @@ store::FigureRecord numbers_figure() {
               "Medians over the curves of up to 100 points. Left: largest over mean |κ|. Right: distance from the "
               "polygon of the points, and between the two families at the same a, over the mean chord.",
           .columns = 2,
-          .panels = {graph("families", "peak over mean", "family", "peak over mean |κ|"),
-                     graph("distances", "median", "distance", "distance")}};
+          .panels = {
+              Panel::graph("families", "a as a number", {"peak over mean"}, "peak over mean |κ|")
+                  .series("family")
+                  .labels("a", ""),
+              Panel::graph("distances", "a as a number", {"median"}, "distance").series("distance").labels("a", "")}};
 }
 
-store::ClaimRecord rounder_claim(const store::ExperimentRecord& record) {
-  Count peak, variation, polygon;
-  std::string medians;
-  for (const std::size_t k : {1U, 2U}) {
-    const Shape& shape = shared_shapes[k];
-    peak += less(record, "peak over mean", {shape, shape});
-    variation += less(record, "variation", {shape, shape});
-    polygon += less(record, "polygon", {shape, shape});
-    medians += fmt::format("{}{:.3g} against {:.3g} at a = {}", medians.empty() ? "" : ", ",
-                           median(column(record, trigonometric_family, shape, "peak over mean")),
-                           median(column(record, bernstein, shape, "peak over mean")), shape.words);
+void claim_rounder(Findings& found) {
+  Tally peak, varies, polygon;
+  std::vector<std::string> medians;
+  for (const std::size_t k : {gentler + 1, gentler + 2}) {
+    peak += less(found, peak_over_mean, k);
+    varies += less(found, variation, k);
+    polygon += others(less(found, to_polygon, k));
+    medians.push_back(fmt::format("{:.3g} against {:.3g} at a = {}",
+                                  of(found, trigonometric(trigonometric_shapes[k])).median(peak_over_mean),
+                                  of(found, bernstein(counterpart(k))).median(peak_over_mean), counterpart(k).words));
   }
-  const Count gentlest = less(record, "peak over mean", compared[0]),
-              gentle = less(record, "peak over mean", compared[1]);
-  return claim(
-      "trigonometric-rounder", verdict_in_general(peak.smaller, peak.cases),
-      fmt::format("smaller peak over mean |κ| on {} curves; medians {}", share(peak.smaller, peak.cases), medians),
-      fmt::format(
-          "Curves of up to 100 points of all drawings at a = 0.75 and 0.9, same points and same a. Total variation of "
-          "κ is smaller on "
-          "{}, and the curve is farther from the polygon on {}. What is rounder is the trigonometric curve with a "
-          "smaller a: against the κ-curve, its peak over mean is smaller on {} curves at a = 0.55 and {} at 0.6.",
-          share(variation.smaller, variation.cases), share(polygon.cases - polygon.smaller, polygon.cases),
-          share(gentlest.smaller, gentlest.cases), share(gentle.smaller, gentle.cases)));
+  found.claim(
+      "trigonometric-rounder", peak.in_general(),
+      fmt::format("smaller peak over mean |κ| on {} curves; medians {}", peak.words(), fmt::join(medians, ", ")),
+      fmt::format("Curves of up to 100 points of all drawings at a = 0.75 and 0.9, same points and same a. Total "
+                  "variation of κ is smaller on {}, and the curve is farther from the polygon on {}. What is "
+                  "rounder is the trigonometric curve with a smaller a: against the κ-curve, its peak over mean "
+                  "is smaller on {} curves at a = 0.55 and {} at 0.6.",
+                  varies.words(), polygon.words(), less(found, peak_over_mean, 0).words(),
+                  less(found, peak_over_mean, 1).words()));
 }
 
 /// The claim has two parts; it holds as far as the weaker one does.
-store::ClaimRecord approach_claim(const store::ExperimentRecord& record) {
-  Count between, polygon;
-  for (std::size_t k = 2; k < shared_shapes.size(); ++k) {
-    const Shape &now = shared_shapes[k], &before = shared_shapes[k - 1];
-    between += count_smaller(apart(record, now), apart(record, before));
-    for (const std::string_view family : {bernstein, trigonometric_family})
-      polygon += count_smaller(column(record, family, now, "polygon"), column(record, family, before, "polygon"));
+void claim_approach(Findings& found) {
+  Tally between, polygon;
+  for (std::size_t k = 2; k < bernstein_shapes.size(); ++k) {
+    const Shape &now = bernstein_shapes[k], &before = bernstein_shapes[k - 1];
+    between += smaller(found, apart, shape_key(now.words), shape_key(before.words));
+    polygon += smaller(found, to_polygon, spline(bernstein(now)), spline(bernstein(before)));
+    polygon += smaller(found, to_polygon, spline(trigonometric(now)), spline(trigonometric(before)));
   }
-  const bool weaker = between.smaller * polygon.cases < polygon.smaller * between.cases;
-  const Count& decisive = weaker ? between : polygon;
-  const Shape &from = shared_shapes[1], &to = shared_shapes.back();
-  const auto medians = [&](const std::vector<double>& at_from, const std::vector<double>& at_to) {
-    return fmt::format("{:.3g} at a = {} and {:.3g} at {}", median(at_from), from.words, median(at_to), to.words);
+  const bool between_is_weaker = between.agree * polygon.cases < polygon.agree * between.cases;
+  const Shape &from = bernstein_shapes[1], &to = bernstein_shapes.back();
+  const auto medians = [&](const Quantity& what, const KeyIs& at_from, const KeyIs& at_to) {
+    return fmt::format("{:.3g} at a = {} and {:.3g} at {}", found.rows().where({at_from}).median(what), from.words,
+                       found.rows().where({at_to}).median(what), to.words);
   };
-  const auto to_polygon = [&](std::string_view family) {
-    return medians(column(record, family, from, "polygon"), column(record, family, to, "polygon"));
-  };
-  return claim(
-      "bases-approach", verdict_in_general(decisive.smaller, decisive.cases),
+  found.claim(
+      "bases-approach", between_is_weaker ? between.in_general() : polygon.in_general(),
       fmt::format("median distance between the families {}; to the polygon {} (Bernstein), {} (trigonometric)",
-                  medians(apart(record, from), apart(record, to)), to_polygon(bernstein),
-                  to_polygon(trigonometric_family)),
-      fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of up to 100 points of all drawings, distances over the "
-                  "mean chord: the "
-                  "distance between the families shrinks in {} steps, that to the polygon in {}. The verdict is "
-                  "that of the weaker part.",
-                  share(between.smaller, between.cases), share(polygon.smaller, polygon.cases)));
+                  medians(apart, shape_key(from.words), shape_key(to.words)),
+                  medians(to_polygon, spline(bernstein(from)), spline(bernstein(to))),
+                  medians(to_polygon, spline(trigonometric(from)), spline(trigonometric(to)))),
+      fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of up to 100 points of all drawings, distances over "
+                  "the mean chord: the distance between the families shrinks in {} steps, that to the polygon "
+                  "in {}. The verdict is that of the weaker part.",
+                  between.words(), polygon.words()));
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {family_table(record), comparison_table(record), distance_table(record)};
-  for (const std::string& dataset : drawn_datasets(record)) {
-    const auto& cells = record.cells;
-    const auto cell = std::ranges::find(cells, dataset, &store::CellRecord::dataset);
-    auto figure = cell->curves.size() == 1 ? rows_figure(record, dataset) : pair_figure(record, dataset);
-    if (figure) record.figures.push_back(std::move(*figure));
+void conclude(Findings& found) {
+  for (const Table& table : {family_table(found), comparison_table(found), distance_table(found)}) found.add(table);
+  for (const std::string& drawing : found.drawn()) {
+    const auto cell = found.find(drawing, kappa_label);
+    const bool one_curve = cell && found.cell(*cell).curves.size() == 1;
+    found.add(one_curve ? rows_figure(found, drawing) : pair_figure(found, drawing));
   }
-  record.figures.push_back(numbers_figure());
-  record.claims = {rounder_claim(record), approach_claim(record)};
+  found.add(numbers_figure());
+  claim_rounder(found);
+  claim_approach(found);
 }
 
 }  // namespace
 
 Experiment ekappa_bases_experiment() {
-  return {.id = "ekappa-bases",
-          .title = "Bernstein and trigonometric basis (Miura 2022, Figs. 11 and 12)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "ekappa-bases",
+                            .title = "Bernstein and trigonometric basis (Miura 2022, Figs. 11 and 12)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"trigonometric-rounder", "bases-approach"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

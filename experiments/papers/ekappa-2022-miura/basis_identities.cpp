@@ -11,7 +11,7 @@
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
 
-namespace kappabench {
+namespace kappabench::miura {
 
 namespace {
 
@@ -46,7 +46,7 @@ std::array<Vec2, 3> random_triangle(RandomSource& random) {
 template <class Segment, std::size_t count>
 double segment_deviation(const char* basis_id, double least,
                          const std::function<std::array<Vec2, count>(const std::array<Vec2, 3>&, double)>& control) {
-  const auto basis = std::ranges::find(degenerate_bases(), basis_id, &DegenerateBasis::id);
+  const DegenerateBasis& basis = basis_named(basis_id);
   const double per_a = std::string_view(basis_id) == "cubic-alternative" ? 3.0 : 1.0;
   RandomSource random(17);
   double worst = 0.0;
@@ -54,7 +54,7 @@ double segment_deviation(const char* basis_id, double least,
     const double a = random.uniform(least, 1.0), t = random.uniform(0.0, 1.0);
     const auto q = random_triangle(random);
     const auto points = control(q, a);
-    const Jet ours = Segment(points).jet(t, 0), theirs = degenerate_curve(*basis, per_a * a, q, t);
+    const Jet ours = Segment(points).jet(t, 0), theirs = degenerate_curve(basis, per_a * a, q, t);
     worst = std::max(worst, (ours.position() - theirs.position()).norm());
   }
   return worst;
@@ -201,4 +201,4 @@ const std::vector<Identity>& basis_identities() {
   return identities;
 }
 
-}  // namespace kappabench
+}  // namespace kappabench::miura

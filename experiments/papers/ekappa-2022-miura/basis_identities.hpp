@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kappabench {
+namespace kappabench::miura {
 
 /// A statement of Miura 2022 about a basis, as a deviation that is zero when it holds.
 struct Identity {
@@ -33,4 +33,4 @@ inline constexpr std::string_view ratio_corrected = "Eq. (27) with the two areas
 /// Eq. (43): coefficients of the trigonometric basis of degrees 1 to `most`, from the powers of u + v + w.
 [[nodiscard]] std::vector<std::vector<double>> blending_triangle(int most);
 
-}  // namespace kappabench
+}  // namespace kappabench::miura

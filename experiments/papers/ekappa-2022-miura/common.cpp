@@ -5,18 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
-#include "experiments/study/study.hpp"
-#include "experiments/study/verdicts.hpp"
+#include "metrics/statistics.hpp"
 #include "schemes/curve/jet.hpp"
 
 namespace kappabench::miura {
 
 SchemePtr cubic(const Registry& registry, double a) { return registry.create("ekappa", {{"a", a}}); }
 SchemePtr trigonometric(const Registry& registry, double a) { return registry.create("ekappa-trig", {{"a", a}}); }
+
+std::vector<SchemePtr> figure_schemes(const Registry& registry) {
+  std::vector<SchemePtr> schemes;
+  for (const Shape& shape : figure_shapes) schemes.push_back(cubic(registry, shape.a));
+  return schemes;
+}
 
 Drawing with_shape_at(Drawing drawing, double a, const std::function<bool(int, int)>& chosen) {
   for (int c = 0; Input & input : drawing.curves) {
@@ -49,7 +53,7 @@ std::vector<double> window_at(const store::CurveRecord& curve, double x, double 
 
 double curvature_at(const Curve& curve, const Node& node) {
   const double kappa = std::abs(curvature(curve.segment(node.segment).jet(node.t, 2)));
-  return std::isfinite(kappa) ? kappa : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(kappa) ? kappa : undefined;
 }
 
 std::vector<int> evenly(int n, int most) {
@@ -60,16 +64,17 @@ std::vector<int> evenly(int n, int most) {
   return chosen;
 }
 
+std::vector<double> defined(std::vector<double> numbers) {
+  std::erase_if(numbers, [](double x) { return std::isnan(x); });
+  return numbers;
+}
+
 std::vector<Node> inner_nodes(const Fit& fit) {
   std::vector<Node> nodes;
   const int last = fit.input.size() - 1;
   std::ranges::copy_if(fit.curve->nodes(), std::back_inserter(nodes),
                        [&](const Node& node) { return fit.input.closed || (node.point != 0 && node.point != last); });
   return nodes;
-}
-
-store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours, std::string evidence) {
-  return study::claim(paper, id, std::move(verdict), std::move(ours), std::move(evidence));
 }
 
 }  // namespace kappabench::miura

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/run/experiment.hpp"
+#include "experiments/study/quantity.hpp"
 
 namespace kappabench::miura {
 
@@ -24,8 +25,13 @@ struct Shape {
 inline constexpr std::array<Shape, 4> figure_shapes{
     {{2.0 / 3.0, "2/3"}, {0.75, "0.75"}, {0.85, "0.85"}, {0.95, "0.95"}}};
 
+/// What tells rows apart: the a, as in Shape::words, and the place in a drawing.
+inline const study::Key shape_key{"a"}, curve_key{"curve"}, point_key{"point"}, joint_key{"joint"};
+
 [[nodiscard]] SchemePtr cubic(const Registry& registry, double a);
 [[nodiscard]] SchemePtr trigonometric(const Registry& registry, double a);
+/// `cubic` at each of figure_shapes.
+[[nodiscard]] std::vector<SchemePtr> figure_schemes(const Registry& registry);
 
 /// The same drawing with a = `a` at the points where `chosen(curve, point)`; what it said about a before is dropped.
 [[nodiscard]] Drawing with_shape_at(Drawing drawing, double a, const std::function<bool(int, int)>& chosen);
@@ -43,10 +49,10 @@ void add_shape_jobs(std::vector<CellJob>& jobs, const Context& context, const Dr
 /// At most `most` of the numbers 0 ... n - 1, evenly spread.
 [[nodiscard]] std::vector<int> evenly(int n, int most);
 
+/// The numbers without NaNs.
+[[nodiscard]] std::vector<double> defined(std::vector<double> numbers);
+
 /// The nodes of points that have a segment of their own: on an open curve not the first and the last.
 [[nodiscard]] std::vector<Node> inner_nodes(const Fit& fit);
-
-[[nodiscard]] store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours,
-                                       std::string evidence);
 
 }  // namespace kappabench::miura

@@ -28,7 +28,7 @@ constexpr std::string_view about =
 
 // ---- what is measured
 
-const Key curve_key{"curve"}, joint_key{"joint"}, shape_key{"a"}, kind{"joint is"};
+const Key kind{"joint is"};
 constexpr std::string_view at_inflection = "at an inflection", elsewhere = "elsewhere";
 
 const Quantity unsolved = count_of("fit without a solution"), at_some_a_only = count_of("inflection at some a only");
@@ -107,11 +107,9 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   for (const Drawing& drawing : study::drawings_or(context, {"s-inflections", "closed-inflections"}))
     add_shape_jobs(jobs, context, drawing);
-  std::vector<SchemePtr> schemes;
-  for (const Shape& shape : figure_shapes) schemes.push_back(cubic(context.registry, shape.a));
   for (const Drawing& drawing : study::drawings_of(context))
     jobs.push_back(study::numbers_job<measure>({.work = "curvature at joints",
-                                                .schemes = schemes,
+                                                .schemes = figure_schemes(context.registry),
                                                 .drawings = {drawing},
                                                 .metrics = {&find_metric("continuity")}}));
   return jobs;

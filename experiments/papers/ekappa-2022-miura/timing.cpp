@@ -1,23 +1,23 @@
-#include "experiments/run/experiment.hpp"
-#include "experiments/study/study.hpp"
-
+// Miura 2022, Sect. 5: how long do the three bases take to draw the bear?
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <utility>
 
 #include "datasets/datasets.hpp"
 #include "datasets/random_source.hpp"
-#include "experiments/papers/ekappa-2022-miura/family_sweep.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/papers/ekappa-2022-miura/common.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
+#include "experiments/study/selection.hpp"
 #include "experiments/study/timing.hpp"
 
 namespace kappabench {
-
 namespace {
+
+using namespace miura;
+using study::Findings, study::Key, study::Notes, study::Quantity, study::Table;
 
 constexpr std::string_view about =
     "The paper gives times for drawing its bear: 0.07 s with kappa-curves, 0.08 s with the cubic basis, 0.37 s with "
@@ -27,9 +27,6 @@ constexpr std::string_view about =
     "order, by Google Benchmark, in processor time; only ratios to the kappa-curve's median are compared. When several "
     "cells run at once, or the machine is busy, the samples scatter more: the interval of each ratio (95 %, bootstrap "
     "over the samples) shows it.";
-
-constexpr int version = 1;
-constexpr int positions_per_segment = 100;
 
 /// What Section 5 times.
 struct Timed {
@@ -51,56 +48,55 @@ SchemePtr scheme_of(const Registry& registry, const Timed& curve, const Solver& 
   return registry.parse(fmt::format("{}{}{}", curve.scheme, has_parameters ? ',' : ':', solver.parameters));
 }
 
-std::string name_of(std::string_view what, const Timed& curve, const Solver& solver) {
-  return fmt::format("{}: {}, {}", what, curve.title, solver.title);
-}
 constexpr std::array<std::string_view, 2> tasks{"fit", "fit and draw"};
-
-struct Work {
-  std::string key;
-  SchemePtr scheme;
-  bool draws;
-};
-
-/// Fits all curves; returns the steps taken.
-int work_on(const Drawing& drawing, const Work& work) {
-  int steps = 0;
-  for (const Input& input : drawing.curves) {
-    const Fit fit = work.scheme->fit(input);
-    steps += fit.report.iterations;
-    if (work.draws && fit.curve) (void)sample(*fit.curve, positions_per_segment, 0);
-  }
-  return steps;
+std::string name_of(std::string_view task, const Timed& curve, const Solver& solver) {
+  return fmt::format("{}: {}, {}", task, curve.title, solver.title);
 }
 
-void time_drawing(const Drawing& drawing, const std::vector<Work>& works, store::CellRecord& cell) {
-  std::vector<TimedWork> timed_works;
-  for (const Work& work : works) {
-    cell.measurements.push_back({"steps, " + work.key, static_cast<double>(work_on(drawing, work)), "exact", "1"});
-    timed_works.push_back({work.key, [&drawing, &work] { (void)work_on(drawing, work); }});
+// ---- what is measured: CellRecord::timings by name_of, and a row each
+
+constexpr int positions_per_segment = 100;
+const Key work_key{"work"};
+const Quantity steps = study::count_of("steps");
+
+/// Fits all curves, and draws them if the task is to; returns the steps taken.
+int work_on(const Drawing& drawing, const Scheme& scheme, std::string_view task) {
+  int taken = 0;
+  for (const Input& input : drawing.curves) {
+    const Fit fit = scheme.fit(input);
+    taken += fit.report.iterations;
+    if (task == tasks[1] && fit.curve) (void)sample(*fit.curve, positions_per_segment, 0);
   }
-  cell.timings = time_all(timed_works, {.repetitions = 12, .least_seconds = 0.01});
+  return taken;
+}
+
+/// The schemes: every curve by the first solver, then by the second.
+void measure(const Uses& uses, Notes& notes) {
+  const Drawing& drawing = uses.drawings.front();
+  std::vector<TimedWork> works;
+  for (std::size_t i = 0; i < uses.schemes.size(); ++i)
+    for (const std::string_view task : tasks) {
+      const Scheme& scheme = *uses.schemes[i];
+      const std::string name = name_of(task, timed[i % timed.size()], solvers[i / timed.size()]);
+      notes.row({work_key(name)}, {steps(work_on(drawing, scheme, task))});
+      works.push_back({name, [&drawing, &scheme, task] { (void)work_on(drawing, scheme, task); }});
+    }
+  notes.cell().timings = time_all(works, {.repetitions = 12, .least_seconds = 0.01});
 }
 
 std::vector<CellJob> jobs(const Context& context) {
-  const std::vector<std::string> datasets =
-      context.datasets.empty() ? std::vector<std::string>{"bear"} : context.datasets;
-  std::vector<Work> works;
+  std::vector<SchemePtr> schemes;
   for (const Solver& solver : solvers)
-    for (const Timed& curve : timed)
-      for (const std::string_view task : tasks)
-        works.push_back({name_of(task, curve, solver), scheme_of(context.registry, curve, solver), task != tasks[0]});
+    for (const Timed& curve : timed) schemes.push_back(scheme_of(context.registry, curve, solver));
   std::vector<CellJob> jobs;
-  for (const std::string& dataset : datasets)
-    for (const Drawing& drawing : study::without_options(open_drawings(dataset))) {
-      CellJob job = other_job(drawing.id, works.front().scheme,
-                              fmt::format("timing {}, {}", version, study::contents_of({drawing})),
-                              [drawing, works](store::CellRecord& cell) { time_drawing(drawing, works, cell); });
-      job.label = "three bases, two solvers";
-      jobs.push_back(std::move(job));
-    }
+  for (const Drawing& drawing : study::without_options(study::drawings_or(context, {"bear"})))
+    jobs.push_back(
+        study::numbers_job<measure>({.work = "timing of three bases", .schemes = schemes, .drawings = {drawing}},
+                                    drawing.id, "three bases, two solvers"));
   return jobs;
 }
+
+// ---- what follows
 
 /// A ratio of medians with the middle 95 % of what resampled samples give.
 struct Ratio {
@@ -135,71 +131,72 @@ double quantile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-store::TableRecord time_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("timing", "Time to fit, and to fit and draw",
-                       "Medians and quartiles of the samples; ratio of medians to the kappa-curve with the same solver "
-                       "and task, with its 95 % interval. The paper's ratios are 1.14 and 5.29.");
-  builder.words("drawing").words("task").words("solver").words("curve").counts("steps");
-  builder.numbers("median", "ms").numbers("lower quartile", "ms").numbers("upper quartile", "ms").counts("samples");
-  builder.numbers("ratio to kappa").numbers("ratio, low").numbers("ratio, high");
-  for (const store::CellRecord& cell : record.cells)
+Ratio ratio_to_kappa(const store::CellRecord& cell, std::string_view task, const Timed& curve, const Solver& solver) {
+  return ratio_of_medians(samples(cell, name_of(task, curve, solver)), samples(cell, name_of(task, timed[0], solver)));
+}
+
+Table time_table(const Findings& found) {
+  Table table("timing", "Time to fit, and to fit and draw",
+              "Medians and quartiles of the samples; ratio of medians to the kappa-curve with the same solver "
+              "and task, with its 95 % interval. The paper's ratios are 1.14 and 5.29.");
+  table.words("drawing").words("task").words("solver").words("curve").counts("steps");
+  table.numbers("median", "ms").numbers("lower quartile", "ms").numbers("upper quartile", "ms").counts("samples");
+  table.numbers("ratio to kappa").numbers("ratio, low").numbers("ratio, high");
+  for (const store::CellRecord& cell : found.cells())
     for (const std::string_view task : tasks)
       for (const Solver& solver : solvers)
         for (const Timed& curve : timed) {
-          const std::string key = name_of(task, curve, solver);
-          const auto &own = samples(cell, key), &kappa = samples(cell, name_of(task, timed[0], solver));
-          if (own.empty() || kappa.empty()) continue;
-          const Ratio ratio = ratio_of_medians(own, kappa);
-          builder.row({cell.dataset, std::string(task), std::string(solver.title), std::string(curve.title),
-                       measured(cell, "steps, " + key).value_or(0.0), 1e3 * median(own), 1e3 * quantile(own, 0.25),
-                       1e3 * quantile(own, 0.75), static_cast<double>(own.size()), ratio.value, ratio.low, ratio.high});
+          const std::string name = name_of(task, curve, solver);
+          const std::vector<double>& own = samples(cell, name);
+          if (own.empty() || samples(cell, name_of(task, timed[0], solver)).empty()) continue;
+          const Ratio ratio = ratio_to_kappa(cell, task, curve, solver);
+          const auto rows = found.rows().where({study::key::dataset(cell.dataset), work_key(name)});
+          table.row({cell.dataset, task, solver.title, curve.title, rows.total(steps), 1e3 * median(own),
+                     1e3 * quantile(own, 0.25), 1e3 * quantile(own, 0.75), own.size(), ratio.value, ratio.low,
+                     ratio.high});
         }
-  return builder.table();
+  return table;
 }
 
 /// Section 5 tells of the published iteration; "about as long" is taken as within a factor of 1.5, "several times" as
 /// at least twice; the whole interval of the ratio must be there.
-template <class Predicate>
-store::ClaimRecord claim(const store::CellRecord& cell, std::string id, const Timed& curve, const Predicate& holds,
-                         std::string_view criterion) {
-  const auto ratio = [&](const Solver& solver) {
-    return ratio_of_medians(samples(cell, name_of(tasks[1], curve, solver)),
-                            samples(cell, name_of(tasks[1], timed[0], solver)));
-  };
-  const auto seconds = [&](const Timed& of) { return median(samples(cell, name_of(tasks[1], of, solvers[0]))); };
-  const Ratio published = ratio(solvers[0]), newton = ratio(solvers[1]);
-  return {.paper = "ekappa-2022-miura",
-          .claim = std::move(id),
-          .verdict = holds(published) ? "reproduced" : "not reproduced",
-          .ours = fmt::format("{:.3g} ms : {:.3g} ms, ratio {:.3g} ({:.3g} to {:.3g})", 1e3 * seconds(curve),
-                              1e3 * seconds(timed[0]), published.value, published.low, published.high),
-          .evidence = fmt::format("Fitting and drawing '{}' with the published iteration of 50 steps; {}. With the "
-                                  "Newton cascade the ratio is {:.3g} ({:.3g} to {:.3g}). Here the kappa-curve runs "
-                                  "through the solver of the cubic basis.",
-                                  cell.dataset, criterion, newton.value, newton.low, newton.high)};
+void claim_time(Findings& found, const store::CellRecord& cell, std::string_view id, const Timed& curve,
+                bool (*holds)(const Ratio&), std::string_view criterion) {
+  const std::string_view task = tasks[1];
+  const auto milliseconds = [&](const Timed& of) { return 1e3 * median(samples(cell, name_of(task, of, solvers[0]))); };
+  const Ratio published = ratio_to_kappa(cell, task, curve, solvers[0]);
+  const Ratio newton = ratio_to_kappa(cell, task, curve, solvers[1]);
+  found.claim(id, holds(published) ? "reproduced" : "not reproduced",
+              fmt::format("{:.3g} ms : {:.3g} ms, ratio {:.3g} ({:.3g} to {:.3g})", milliseconds(curve),
+                          milliseconds(timed[0]), published.value, published.low, published.high),
+              fmt::format("Fitting and drawing '{}' with the published iteration of 50 steps; {}. With the "
+                          "Newton cascade the ratio is {:.3g} ({:.3g} to {:.3g}). Here the kappa-curve runs "
+                          "through the solver of the cubic basis.",
+                          cell.dataset, criterion, newton.value, newton.low, newton.high));
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {time_table(record)};
-  const auto cell = std::ranges::find_if(record.cells, [](const auto& c) { return !c.timings.empty(); });
-  if (cell == record.cells.end()) return;
-  record.claims = {
-      claim(
-          *cell, "time-bernstein", timed[1], [](const Ratio& r) { return r.low > 1.0 / 1.5 && r.high < 1.5; },
-          "'about as long' is taken as within a factor of 1.5, the whole interval"),
-      claim(
-          *cell, "time-trigonometric", timed[2], [](const Ratio& r) { return r.low >= 2.0; },
-          "'several times' is taken as at least twice, the whole interval")};
+void conclude(Findings& found) {
+  found.add(time_table(found));
+  const auto cell = std::ranges::find_if(found.cells(), [](const auto& c) { return !c.timings.empty(); });
+  if (cell == found.cells().end()) return;
+  claim_time(
+      found, *cell, "time-bernstein", timed[1], [](const Ratio& r) { return r.low > 1.0 / 1.5 && r.high < 1.5; },
+      "'about as long' is taken as within a factor of 1.5, the whole interval");
+  claim_time(
+      found, *cell, "time-trigonometric", timed[2], [](const Ratio& r) { return r.low >= 2.0; },
+      "'several times' is taken as at least twice, the whole interval");
 }
 
 }  // namespace
 
 Experiment ekappa_timing_experiment() {
-  return {.id = "ekappa-timing",
-          .title = "Time to draw the bear",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "ekappa-timing",
+                            .title = "Time to draw the bear",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"time-bernstein", "time-trigonometric"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

@@ -4,8 +4,9 @@
 #include <iterator>
 
 #include "datasets/datasets.hpp"
+#include "experiments/study/measured.hpp"
 #include "experiments/study/selection.hpp"
-#include "experiments/study/summaries.hpp"
+#include "metrics/features.hpp"
 
 namespace kappabench::chen {
 
@@ -30,8 +31,8 @@ Loops loops_of(const study::Findings& found, const LoopCase& which) {
   const auto cell = found.find(which.drawing, which.scheme);
   const store::CurveRecord* curve = cell ? found.curve(*cell) : nullptr;
   if (curve == nullptr) return {};
-  return {*cell, static_cast<double>(curve->point_x.size()), measured(*curve, "loops").value_or(0.0),
-          measured(*curve, "loops_at_nodes").value_or(0.0)};
+  return {*cell, static_cast<double>(curve->point_x.size()), measured(*curve, column::loops).value_or(0.0),
+          measured(*curve, column::loops_at_nodes).value_or(0.0)};
 }
 
 }  // namespace kappabench::chen

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
 #include "datasets/key_values.hpp"
 #include "experiments/run/record.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/panel.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench::yoshida {
@@ -21,12 +22,13 @@ namespace kappabench::yoshida {
 using namespace intrinsic;
 using std::numbers::pi;
 
-store::ClaimRecord claim(std::string_view id, std::string verdict, std::string ours, std::string evidence) {
-  return study::claim(paper, id, std::move(verdict), std::move(ours), std::move(evidence));
-}
-
 StandardData angles_of_figure_6() { return {pi / 9.0, pi / 3.0, {}, {}}; }
 StandardData angles_of_figure_5() { return {7.0 * pi / 36.0, 4.0 * pi / 9.0, {}, {}}; }
+
+StandardData condition_of_figure_3() {
+  constexpr double degree = pi / 180.0;
+  return {25.0 * degree, 75.0 * degree, {}, {}};
+}
 
 StandardData with_curvatures(StandardData angles, double start, double end) {
   angles.start_curvature = start;
@@ -56,6 +58,11 @@ const std::vector<FixedFamily>& families_of_figure_6() {
       {"(d) m = 6, p = 1", uniform_basis(3, 6), 1.0},
       {"(e) m = 6, p = 1, knots at ends", {3, {0.0, 0.0, 0.0, 0.0333, 0.966, 1.0, 1.0, 1.0}}, 1.0}};
   return families;
+}
+
+Settings settings_of(std::string_view family) {
+  if (family == automatic) return {};
+  return std::ranges::find(families_of_figure_6(), family, &FixedFamily::title)->settings();
 }
 
 namespace {
@@ -117,11 +124,11 @@ std::vector<long> amounts(const Context& context, std::string_view experiment, c
   return numbers;
 }
 
-CellJob numbers_job(const SchemePtr& scheme, std::string dataset, std::string_view what, int version,
-                    std::function<void(store::CellRecord&)> measure) {
-  CellJob job = other_job(std::move(dataset), scheme, fmt::format("{} {}", what, version), std::move(measure));
-  job.label = fmt::format("{} (numbers)", what);
-  return job;
+std::vector<std::pair<long, long>> parts_of(long n) {
+  constexpr long part = 5000;
+  std::vector<std::pair<long, long>> parts;
+  for (long from = 0; from < n; from += part) parts.emplace_back(from, std::min(from + part, n));
+  return parts;
 }
 
 Fit as_fit(const StandardData& data, const HermiteFit& solution) {
@@ -185,9 +192,10 @@ store::CurveRecord controls_mark(const Fit& fit) {
   return mark;
 }
 
-std::optional<int> cell_of(const std::vector<store::CellRecord>& cells, std::string_view dataset, bool controls) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const store::CellRecord& cell = cells[i];
+/// The cell with the curve of a dataset, or with its control curvatures.
+std::optional<int> cell_of(const study::Findings& found, std::string_view dataset, bool controls) {
+  for (std::size_t i = 0; i < found.cells().size(); ++i) {
+    const store::CellRecord& cell = found.cells()[i];
     if (cell.dataset == dataset && (cell.label == controls_label) == controls && !cell.curves.empty())
       return static_cast<int>(i);
   }
@@ -204,63 +212,26 @@ void keep_curve(const Scheme& scheme, const Fit& fit, store::CellRecord& cell) {
 
 void keep_controls(const Fit& fit, store::CellRecord& cell) { cell.curves.push_back(controls_mark(fit)); }
 
-std::vector<CellJob> drawn_jobs(const SchemePtr& scheme, const std::string& dataset, const std::string& label,
-                                int version, std::function<Fit()> make) {
-  CellJob curve = other_job(dataset, scheme, fmt::format("{} {}", label, version),
-                            [scheme, make](store::CellRecord& cell) { keep_curve(*scheme, make(), cell); });
-  curve.label = label;
-  CellJob controls = other_job(dataset, scheme, fmt::format("{} controls {}", label, version),
-                               [make = std::move(make)](store::CellRecord& cell) { keep_controls(make(), cell); });
-  controls.label = std::string(controls_label);
-  return {std::move(curve), std::move(controls)};
-}
-
-std::optional<int> curve_of(const store::ExperimentRecord& record, std::string_view dataset) {
-  return cell_of(record.cells, dataset, false);
-}
-
-std::optional<int> controls_of(const store::ExperimentRecord& record, std::string_view dataset) {
-  return cell_of(record.cells, dataset, true);
-}
-
-void add_curve_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
-                     std::string title) {
-  const auto cell = cell_of(record.cells, dataset, false);
-  if (!cell) return;
-  figure.panels.push_back({.kind = "curve", .title = std::move(title), .cells = {*cell}});
-  figure.panels.back().comb = true;
-}
-
-void add_curvature_panel(store::FigureRecord& figure, const store::ExperimentRecord& record, std::string_view dataset,
-                         std::string title) {
-  const auto cell = cell_of(record.cells, dataset, false);
-  if (!cell) return;
-  figure.panels.push_back({.kind = "curvature", .title = std::move(title), .cells = {*cell}});
-  if (const auto controls = controls_of(record, dataset)) figure.panels.back().cells.push_back(*controls);
-}
-
 void add_curve_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
                      std::string title) {
-  if (const auto cell = cell_of(found.cells(), dataset, false))
+  if (const auto cell = cell_of(found, dataset, false))
     figure.panels.push_back(study::Panel::curves({*cell}, std::move(title)).comb());
 }
 
 void add_curvature_panel(store::FigureRecord& figure, const study::Findings& found, std::string_view dataset,
                          std::string title) {
-  const auto cell = cell_of(found.cells(), dataset, false);
+  const auto cell = cell_of(found, dataset, false);
   if (!cell) return;
   std::vector<int> cells{*cell};
-  if (const auto controls = cell_of(found.cells(), dataset, true)) cells.push_back(*controls);
+  if (const auto controls = cell_of(found, dataset, true)) cells.push_back(*controls);
   figure.panels.push_back(study::Panel::curvature(std::move(cells), std::move(title)));
 }
 
-namespace {
-
-study::Table drawn_table(const std::vector<store::CellRecord>& cells) {
+study::Table drawn_table(const study::Findings& found) {
   study::Table table("drawn", "The curves of the figure", "Curvature times the chord, length over the chord.");
   table.words("curve").words("outcome").counts("steps").numbers("gap").numbers("length");
   table.numbers("curvature at the start").numbers("at the end");
-  for (const store::CellRecord& cell : cells) {
+  for (const store::CellRecord& cell : found.cells()) {
     if (cell.curves.empty() || cell.label == controls_label || cell.curves[0].sample_s.empty()) continue;
     const store::CurveRecord& curve = cell.curves[0];
     table.row({cell.dataset, curve.outcome, curve.iterations, curve.residual, curve.sample_s.back(),
@@ -268,10 +239,5 @@ study::Table drawn_table(const std::vector<store::CellRecord>& cells) {
   }
   return table;
 }
-
-}  // namespace
-
-store::TableRecord drawn_table(const store::ExperimentRecord& record) { return drawn_table(record.cells).record(); }
-study::Table drawn_table(const study::Findings& found) { return drawn_table(found.cells()); }
 
 }  // namespace kappabench::yoshida

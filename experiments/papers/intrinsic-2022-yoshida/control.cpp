@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
 #include "experiments/papers/intrinsic-2022-yoshida/inputs.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/intrinsic/edit.hpp"
 #include "schemes/segments/intrinsic.hpp"
@@ -50,11 +49,6 @@ const Quantity extremum_from{"extremum from", "1", kappabench::Method::sampled};
 const Quantity inflection_from{"inflection from", "1", kappabench::Method::sampled};
 const Quantity unsolved_from{"no solution from", "1", kappabench::Method::sampled};
 
-StandardData drawn_condition() {
-  constexpr double degree = std::numbers::pi / 180.0;
-  return {25.0 * degree, 75.0 * degree, {}, {}};
-}
-
 /// The moves of Fig. 9(b) and (c) on the stand-in, controls counted from 0.
 std::vector<MovedControl> drawn_moves(const StandardCurve& curve, int stage) {
   std::vector<MovedControl> moves;
@@ -66,7 +60,7 @@ std::vector<MovedControl> drawn_moves(const StandardCurve& curve, int stage) {
 Fit drawn_fit(const Uses& uses) {
   const auto& [others, words] = both[static_cast<std::size_t>(uses.numbers.at("others"))];
   const int stage = static_cast<int>(uses.numbers.at("stage"));
-  const StandardData data = drawn_condition();
+  const StandardData data = condition_of_figure_3();
   HermiteFit fit = solve(data);
   if (stage > 0 && fit.curve) fit = with_moved_controls(data, *fit.curve, drawn_moves(*fit.curve, stage), others);
   return as_fit(data, fit);
@@ -129,11 +123,9 @@ std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = context.registry.create("intrinsic");
   std::vector<CellJob> jobs;
   const auto add = [&](int stage, int others, std::string_view label) {
-    std::ranges::move(
-        drawn_jobs<drawn_fit>(
-            {.work = "moved controls", .schemes = {scheme}, .numbers = {{"stage", stage}, {"others", others}}},
-            dataset_of(stage, both[static_cast<std::size_t>(others)].second), std::string(label)),
-        std::back_inserter(jobs));
+    draw<drawn_fit>(jobs,
+                    {.work = "moved controls", .schemes = {scheme}, .numbers = {{"stage", stage}, {"others", others}}},
+                    dataset_of(stage, both[static_cast<std::size_t>(others)].second), std::string(label));
   };
   add(0, 0, "before");
   for (const int others : {0, 1})

@@ -12,7 +12,7 @@
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
@@ -172,8 +172,8 @@ Fit example_fit(const Uses&) {
 
 std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = context.registry.create("intrinsic");
-  std::vector<CellJob> jobs =
-      drawn_jobs<example_fit>({.work = "curve of Fig. 1", .schemes = {scheme}}, std::string(dataset), "curve");
+  std::vector<CellJob> jobs;
+  draw<example_fit>(jobs, {.work = "curve of Fig. 1", .schemes = {scheme}}, std::string(dataset));
   jobs.push_back(
       study::numbers_job<measure_example>({.work = "Bezier form", .schemes = {scheme}}, std::string(dataset)));
   jobs.push_back(study::numbers_job<measure_random_forms>({.work = "angles", .schemes = {scheme}, .seed = context.seed},

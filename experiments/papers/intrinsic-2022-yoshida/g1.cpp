@@ -1,26 +1,29 @@
-#include "experiments/run/experiment.hpp"
-
+// Yoshida 2022, Fig. 3: G1 Hermite interpolation with different p, and curvature that is level at both ends.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
 #include "experiments/papers/intrinsic-2022-yoshida/inputs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "schemes/curve/jet.hpp"
 #include "schemes/intrinsic/fixed_knots.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace yoshida;
 using namespace intrinsic;
-
-namespace {
+using kappabench::Method;
+using study::count_of, study::Findings, study::Key, study::Notes, study::Quantity, study::Row, study::Rows,
+    study::Table, study::Tally;
 
 constexpr std::string_view about =
     "The first and the last of six control curvatures are solved for so that the curve meets both points and tangents; "
@@ -30,17 +33,28 @@ constexpr std::string_view about =
     "counted on random conditions: the paper's angles, and any up to 0.95 pi from the chord. Data that do not turn "
     "(theta_d = 0) have a length, too, but Eq. (8) is 0/0 there.";
 
-constexpr int version = 1;
-constexpr long conditions = 1500;  ///< of each kind, unless the plan says otherwise
-constexpr std::string_view dataset_name = "random-g1";
+// ---- what is measured
+
+constexpr long conditions_of_a_kind = 1500;  ///< unless the plan says otherwise
+constexpr std::array both{Angles::ordinary, Angles::any};
 constexpr std::array shown_p{-1.0, -0.5, 0.0, 0.5, 1.0};
 constexpr int points_compared = 65;
 
-/// Curvature that rises from next to nothing, as in the paper's figure.
-StandardData drawn_condition() {
-  constexpr double degree = std::numbers::pi / 180.0;
-  return {25.0 * degree, 75.0 * degree, {}, {}};
-}
+/// A failure that a reader can repeat.
+const Key chord_angle{"chord angle"}, turning{"turning"}, with{"p"};
+const Quantity failure_gap{"failure: gap", "1", Method::sampled};
+/// Sums over the conditions of a cell: so many of them that each cannot have a row.
+const Quantity conditions = count_of("conditions"), fits = count_of("fits"), solved = count_of("solved"),
+               not_monotone = count_of("not monotone"), inflected = count_of("inflected");
+const Quantity reshaped{"reshaped", "1", Method::sampled};
+const Quantity level_fits = count_of("level fits");
+const Quantity level_ends{"level ends", "1", Method::sampled};
+const Quantity lengths = count_of("lengths"), lengths_by_formula = count_of("lengths by Eq. (8)");
+const Quantity largest_gap{"largest gap", "1", Method::sampled};
+const Quantity largest_end_slope{"largest end slope", "1", Method::sampled};
+/// Symmetric S-shapes: the tangents at both ends are parallel.
+const Quantity parallel = count_of("parallel tangents"), parallel_solved = count_of("parallel tangents solved"),
+               parallel_by_formula = count_of("parallel tangents by Eq. (8)");
 
 Settings with_p(double p) {
   Settings settings;
@@ -55,8 +69,8 @@ HermiteFit level_ended(const StandardData& data) {
   tie(rule, 1, 0);
   tie(rule, 2, 3);
   const FixedKnots knots(basis, rule);
-  const Solved solved = knots.solve(data);
-  return judged(data, knots.curve(solved), solved.iterations, solved.converged);
+  const Solved tied = knots.solve(data);
+  return judged(data, knots.curve(tied), tied.iterations, tied.converged);
 }
 
 IntrinsicSegment segment_of(const StandardCurve& curve, const StandardData& data) {
@@ -91,80 +105,77 @@ double end_slope(const StandardCurve& curve, const StandardData& data) {
   return largest > 0.0 ? ends / largest : 0.0;
 }
 
-/// A failure that a reader can repeat.
-void put_failure(const StandardData& data, double p, const HermiteFit& fit, store::CellRecord& cell) {
-  study::put(cell, "failure: chord angle", data.chord_angle);
-  study::put(cell, "failure: turning", data.turning);
-  study::put(cell, "failure: p", p);
-  study::put(cell, "failure: gap", fit.residual, kappabench::Method::sampled);
-}
-
-/// Sums over the conditions of a cell: so many of them that each cannot have a row.
+/// What the rows of a cell are summed up from.
 struct Sums {
-  double fits = 0.0, solved = 0.0, not_monotone = 0.0, inflected = 0.0, conditions = 0.0, reshaped = 0.0;
-  double level = 0.0, levelled = 0.0, largest_gap = 0.0, largest_end_slope = 0.0;
-  double length_agrees = 0.0, lengths = 0.0;
+  Tally solved, monotone, inflected, reshaped, level, lengths;
+  double largest_gap = 0.0, largest_end_slope = 0.0;
 };
 
-void add_condition(const StandardData& data, Sums& sums, store::CellRecord& cell) {
-  sums.conditions += 1.0;
+/// Does the length follow from the turning, Eq. (8)?
+bool length_follows(const StandardCurve& curve, const StandardData& data) {
+  const std::vector<double> w = basis_integrals(curve.basis);
+  double integral = 0.0;
+  for (std::size_t i = 0; i < w.size(); ++i) integral += w[i] * curve.controls[i];
+  return std::abs(data.turning / integral - curve.length) <= 1e-9 * curve.length;
+}
+
+void add_condition(const StandardData& data, Sums& sums, Notes& notes) {
   std::vector<std::vector<Vec2>> shapes;
   for (const double p : shown_p) {
     const HermiteFit fit = solve(data, with_p(p));
-    sums.fits += 1.0;
+    sums.solved.add(fit.outcome == Outcome::converged);
     if (fit.outcome != Outcome::converged) {
-      put_failure(data, p, fit, cell);
+      notes.row({chord_angle(data.chord_angle), turning(data.turning), with(p)}, {failure_gap(fit.residual)});
       continue;
     }
-    sums.solved += 1.0;
     sums.largest_gap = std::max(sums.largest_gap, fit.residual);
-    sums.not_monotone += monotone(fit) ? 0.0 : 1.0;
+    sums.monotone.add(monotone(fit));
     // A monotone curvature has an inflection where its ends have opposite signs.
-    sums.inflected += fit.curve->controls.front() * fit.curve->controls.back() < 0.0 ? 1.0 : 0.0;
-    if (p != shown_p[1] && p != shown_p[3]) shapes.push_back(points_of(*fit.curve, data));
-    if (p != 0.0) continue;
-    const std::vector<double> w = basis_integrals(fit.curve->basis);
-    double integral = 0.0;
-    for (std::size_t i = 0; i < w.size(); ++i) integral += w[i] * fit.curve->controls[i];
-    sums.lengths += 1.0;
-    sums.length_agrees += std::abs(data.turning / integral - fit.curve->length) <= 1e-9 * fit.curve->length ? 1.0 : 0.0;
+    sums.inflected.add(fit.curve->controls.front() * fit.curve->controls.back() < 0.0);
+    if (p == -1.0 || p == 0.0 || p == 1.0) shapes.push_back(points_of(*fit.curve, data));
+    if (p == 0.0) sums.lengths.add(length_follows(*fit.curve, data));
   }
-  if (shapes.size() == 3)
-    sums.reshaped +=
-        std::min(largest_distance(shapes[0], shapes[1]), largest_distance(shapes[2], shapes[1])) > 1e-3 ? 1.0 : 0.0;
+  sums.reshaped.add(shapes.size() == 3 &&
+                    std::min(largest_distance(shapes[0], shapes[1]), largest_distance(shapes[2], shapes[1])) > 1e-3);
   const HermiteFit level = level_ended(data);
   if (level.outcome != Outcome::converged) return;
   const double slope = end_slope(*level.curve, data);
-  sums.level += 1.0;
-  sums.levelled += slope <= 1e-9 ? 1.0 : 0.0;
+  sums.level.add(slope <= 1e-9);
   sums.largest_end_slope = std::max(sums.largest_end_slope, slope);
 }
 
-void put_sums(const Sums& sums, store::CellRecord& cell) {
-  for (const auto& [column, value] :
-       {std::pair{"conditions", sums.conditions}, std::pair{"fits", sums.fits}, std::pair{"solved", sums.solved},
-        std::pair{"not monotone", sums.not_monotone}, std::pair{"inflected", sums.inflected},
-        std::pair{"reshaped", sums.reshaped}, std::pair{"level fits", sums.level},
-        std::pair{"level ends", sums.levelled}, std::pair{"lengths", sums.lengths},
-        std::pair{"lengths by Eq. (8)", sums.length_agrees}})
-    study::put(cell, column, value);
-  study::put(cell, "largest gap", sums.largest_gap, kappabench::Method::sampled);
-  study::put(cell, "largest end slope", sums.largest_end_slope, kappabench::Method::sampled);
+void measure_conditions(const Uses& uses, Notes& notes) {
+  const Angles angles = angles_named(uses.words.at("angles"));
+  const auto to = static_cast<std::uint64_t>(uses.numbers.at("to"));
+  Sums sums;
+  for (auto i = static_cast<std::uint64_t>(uses.numbers.at("from")); i < to; ++i)
+    add_condition(random_angles(angles, uses.seed, i), sums, notes);
+  notes.row({}, {conditions(sums.reshaped.cases), fits(sums.solved.cases), solved(sums.solved.agree),
+                 not_monotone(sums.monotone.misses()), inflected(sums.inflected.agree), reshaped(sums.reshaped.agree),
+                 level_fits(sums.level.cases), level_ends(sums.level.agree), lengths(sums.lengths.cases),
+                 lengths_by_formula(sums.lengths.agree), largest_gap(sums.largest_gap),
+                 largest_end_slope(sums.largest_end_slope)});
 }
 
-/// Symmetric S-shapes: the tangents at both ends are parallel.
-void measure_without_turning(store::CellRecord& cell) {
+void measure_without_turning(const Uses&, Notes& notes) {
   constexpr int steps = 200;
+  Settings simplex;
+  simplex.method = intrinsic::Method::simplex;
   for (int i = 1; i <= steps; ++i) {
     const StandardData data{0.5 * std::numbers::pi * i / steps, 0.0, {}, {}};
-    const HermiteFit fit = solve(data);
-    Settings simplex;
-    simplex.method = intrinsic::Method::simplex;
-    study::put(cell, "parallel tangents", 1.0);
-    study::put(cell, "parallel tangents solved", fit.outcome == Outcome::converged ? 1.0 : 0.0);
-    study::put(cell, "parallel tangents by Eq. (8)", solve(data, simplex).outcome == Outcome::converged ? 1.0 : 0.0);
+    const auto solved_by = [&data](const Settings& by) {
+      return solve(data, by).outcome == Outcome::converged ? 1 : 0;
+    };
+    notes.row({chord_angle(data.chord_angle)},
+              {parallel(1), parallel_solved(solved_by({})), parallel_by_formula(solved_by(simplex))});
   }
 }
+
+Fit fit_with_p(const Uses& uses) {
+  const StandardData data = condition_of_figure_3();
+  return as_fit(data, solve(data, with_p(uses.numbers.at("p"))));
+}
+Fit fit_with_level_ends(const Uses&) { return as_fit(condition_of_figure_3(), level_ended(condition_of_figure_3())); }
 
 std::string dataset_of(double p) { return fmt::format("G1 condition, p = {:g}", p); }
 constexpr std::string_view level_dataset = "G1 condition, level ends";
@@ -172,63 +183,59 @@ constexpr std::string_view level_dataset = "G1 condition, level ends";
 std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = context.registry.create("intrinsic");
   std::vector<CellJob> jobs;
-  const auto add = [&jobs](std::vector<CellJob> more) { std::ranges::move(more, std::back_inserter(jobs)); };
-  const StandardData data = drawn_condition();
   for (const double p : shown_p)
-    add(drawn_jobs(scheme, dataset_of(p), "curve", version,
-                   [data, p] { return as_fit(data, solve(data, with_p(p))); }));
-  add(drawn_jobs(scheme, std::string(level_dataset), "curve", version,
-                 [data] { return as_fit(data, level_ended(data)); }));
-  constexpr long part = 5000;
-  const long wanted = amounts(context, "intrinsic-g1", {{dataset_name, conditions}}).front();
-  const std::uint64_t seed = context.seed;
-  for (const Angles angles : {Angles::ordinary, Angles::any})
-    for (long from = 0; from < wanted; from += part) {
-      const long to = std::min(from + part, wanted);
-      jobs.push_back(
-          numbers_job(scheme, std::string(name(angles)), fmt::format("conditions {} to {}, seed {}", from, to, seed),
-                      version, [angles, from, to, seed](store::CellRecord& cell) {
-                        Sums sums;
-                        for (long i = from; i < to; ++i)
-                          add_condition(random_angles(angles, seed, static_cast<std::uint64_t>(i)), sums, cell);
-                        put_sums(sums, cell);
-                      }));
-    }
-  jobs.push_back(numbers_job(scheme, "parallel tangents", "parallel tangents", version, measure_without_turning));
+    draw<fit_with_p>(jobs, {.work = "G1 condition", .schemes = {scheme}, .numbers = {{"p", p}}}, dataset_of(p));
+  draw<fit_with_level_ends>(jobs, {.work = "G1 condition, level ends", .schemes = {scheme}},
+                            std::string(level_dataset));
+  const long wanted = amounts(context, "intrinsic-g1", {{"random-g1", conditions_of_a_kind}}).front();
+  for (const Angles angles : both)
+    for (const auto& [from, to] : parts_of(wanted))
+      jobs.push_back(study::numbers_job<measure_conditions>(
+          {.work = "G1 conditions",
+           .schemes = {scheme},
+           .seed = context.seed,
+           .numbers = {{"from", static_cast<double>(from)}, {"to", static_cast<double>(to)}},
+           .words = {{"angles", std::string(name(angles))}}},
+          std::string(name(angles)), fmt::format("conditions {} to {}, seed {}", from, to, context.seed)));
+  jobs.push_back(study::numbers_job<measure_without_turning>({.work = "parallel tangents", .schemes = {scheme}},
+                                                             "parallel tangents"));
   return jobs;
 }
 
-store::TableRecord table(const store::ExperimentRecord& record) {
-  TableBuilder builder("conditions", "Random G1 conditions",
-                       "Every condition with p = -1, -0.5, 0, 0.5, 1 and six control curvatures. Gap: how far the end "
-                       "is missed, in chords and radians.");
-  builder.words("angles against the chord").counts("conditions").counts("fits").counts("solved");
-  builder.counts("not monotone").counts("with inflection").numbers("largest gap").counts("level ends solved");
-  builder.numbers("largest slope at level ends");
-  for (const Angles angles : {Angles::ordinary, Angles::any}) {
-    const std::string_view dataset = name(angles);
-    if (study::values(record, "fits", dataset).empty()) continue;
-    builder.row({std::string(dataset), study::total(record, "conditions", dataset),
-                 study::total(record, "fits", dataset), study::total(record, "solved", dataset),
-                 study::total(record, "not monotone", dataset), study::total(record, "inflected", dataset),
-                 largest(study::values(record, "largest gap", dataset)), study::total(record, "level fits", dataset),
-                 largest(study::values(record, "largest end slope", dataset))});
+// ---- what follows
+
+Rows rows_of(const Findings& found, Angles angles) { return found.rows().where({study::key::dataset(name(angles))}); }
+
+Table condition_table(const Findings& found) {
+  Table table("conditions", "Random G1 conditions",
+              "Every condition with p = -1, -0.5, 0, 0.5, 1 and six control curvatures. Gap: how far the end "
+              "is missed, in chords and radians.");
+  table.words("angles against the chord").counts("conditions").counts("fits").counts("solved");
+  table.counts("not monotone").counts("with inflection").numbers("largest gap").counts("level ends solved");
+  table.numbers("largest slope at level ends");
+  for (const Angles angles : both) {
+    const Rows rows = rows_of(found, angles);
+    if (rows.empty()) continue;
+    table.row({name(angles), rows.total(conditions), rows.total(fits), rows.total(solved), rows.total(not_monotone),
+               rows.total(inflected), rows.largest(largest_gap), rows.total(level_fits),
+               rows.largest(largest_end_slope)});
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord failure_table(const store::ExperimentRecord& record) {
+Table failure_table(const Findings& found) {
   constexpr std::size_t most = 50;
-  const auto angle = study::values(record, "failure: chord angle"), turning = study::values(record, "failure: turning"),
-             p = study::values(record, "failure: p"), missed = study::values(record, "failure: gap");
-  TableBuilder builder("failures", "Conditions without a solution",
-                       fmt::format("{} in all; at most {} are listed. Radians, and chords.", angle.size(), most));
-  builder.numbers("theta_e").numbers("theta_d").numbers("p").numbers("gap");
-  for (std::size_t i = 0; i < std::min(angle.size(), most); ++i) builder.row({angle[i], turning[i], p[i], missed[i]});
-  return builder.table();
+  const Rows failures = found.rows().where_row([](const Row& row) { return row.has(failure_gap); });
+  Table table("failures", "Conditions without a solution",
+              fmt::format("{} in all; at most {} are listed. Radians, and chords.", failures.size(), most));
+  table.numbers("theta_e").numbers("theta_d").numbers("p").numbers("gap");
+  const auto number = [](const Row& row, const Key& key) { return std::get<double>(row[key]); };
+  for (const Row* row : failures | std::views::take(most))
+    table.row({number(*row, chord_angle), number(*row, turning), number(*row, with), (*row)[failure_gap]});
+  return table;
 }
 
-store::FigureRecord figure(const store::ExperimentRecord& record) {
+store::FigureRecord figure(const Findings& found) {
   store::FigureRecord figure{
       .id = "intrinsic-g1",
       .title = "G1 interpolation with different p",
@@ -238,79 +245,84 @@ store::FigureRecord figure(const store::ExperimentRecord& record) {
           "length; squares are control curvatures over their Greville abscissae, ticks knots.",
       .columns = 6,
       .panels = {}};
-  for (const double p : shown_p) add_curve_panel(figure, record, dataset_of(p), fmt::format("p = {:g}", p));
-  add_curve_panel(figure, record, level_dataset, "level ends");
-  for (const double p : shown_p) add_curvature_panel(figure, record, dataset_of(p), fmt::format("p = {:g}", p));
-  add_curvature_panel(figure, record, level_dataset, "level ends");
+  for (const double p : shown_p) add_curve_panel(figure, found, dataset_of(p), fmt::format("p = {:g}", p));
+  add_curve_panel(figure, found, level_dataset, "level ends");
+  for (const double p : shown_p) add_curvature_panel(figure, found, dataset_of(p), fmt::format("p = {:g}", p));
+  add_curvature_panel(figure, found, level_dataset, "level ends");
   return figure;
 }
 
-store::ClaimRecord monotone_claim(const store::ExperimentRecord& record) {
-  const double solved = study::total(record, "solved"), wrong = study::total(record, "not monotone");
-  return claim("monotone-for-p", study::verdict_for_all(wrong, solved),
-               fmt::format("{} monotone", study::share(solved - wrong, solved)),
-               fmt::format("{:.0f} random conditions with five values of p each, {} solved; the curvature function is "
-                           "checked span by span.",
-                           study::total(record, "conditions"), study::share(solved, study::total(record, "fits"))));
+void claim_monotone(Findings& found) {
+  const Rows& rows = found.rows();
+  const Tally monotone{rows.total(solved) - rows.total(not_monotone), rows.total(solved)},
+      tried{rows.total(solved), rows.total(fits)};
+  found.claim("monotone-for-p", monotone.always(), fmt::format("{} monotone", monotone.words()),
+              fmt::format("{:.0f} random conditions with five values of p each, {} solved; the curvature function is "
+                          "checked span by span.",
+                          rows.total(conditions), tried.words()));
 }
 
-store::ClaimRecord inflection_claim(const store::ExperimentRecord& record) {
-  const double inflected = study::total(record, "inflected", name(Angles::ordinary)),
-               solved = study::total(record, "solved", name(Angles::ordinary));
-  return claim("inflection-may-appear", inflected > 0.0 ? "reproduced" : "not reproduced",
-               fmt::format("{} have one", study::share(inflected, solved)),
-               "Curves for the paper's angles, whose ends both turn left.");
+void claim_inflection(Findings& found) {
+  const Rows rows = rows_of(found, Angles::ordinary);
+  const Tally tally{rows.total(inflected), rows.total(solved)};
+  found.claim("inflection-may-appear", tally.agree > 0.0 ? "reproduced" : "not reproduced",
+              fmt::format("{} have one", tally.words()), "Curves for the paper's angles, whose ends both turn left.");
 }
 
-store::ClaimRecord level_claim(const store::ExperimentRecord& record) {
-  const double cases = study::total(record, "level fits"), level = study::total(record, "level ends");
-  return claim(
-      "level-ends", study::verdict_for_all(cases - level, cases),
-      fmt::format("{} have d kappa/ds = 0 at both ends", study::share(level, cases)),
+void claim_level(Findings& found) {
+  const Rows& rows = found.rows();
+  const Tally level{rows.total(level_ends), rows.total(level_fits)},
+      tied{rows.total(level_fits), rows.total(conditions)};
+  found.claim(
+      "level-ends", level.always(), fmt::format("{} have d kappa/ds = 0 at both ends", level.words()),
       fmt::format("At most {:.2g} of the largest slope of curvature (or the largest curvature over the chord), from "
-                  "the curve's third derivative. {} "
-                  "conditions have a solution with four controls tied in pairs.",
-                  largest(study::values(record, "largest end slope")),
-                  study::share(cases, study::total(record, "conditions"))));
+                  "the curve's third derivative. {} conditions have a solution with four controls tied in pairs.",
+                  rows.largest(largest_end_slope), tied.words()));
 }
 
-store::ClaimRecord shape_claim(const store::ExperimentRecord& record) {
-  const double reshaped = study::total(record, "reshaped"), cases = study::total(record, "conditions");
-  return claim("p-changes-shape", study::verdict_in_general(reshaped, cases),
-               fmt::format("{} move by more than 1e-3 chords", study::share(reshaped, cases)),
-               "The smaller of the largest distances of the curves with p = -1 and p = 1 from that with p = 0; a curve "
-               "that is nearly a circular arc cannot change.");
+void claim_shape(Findings& found) {
+  const Tally tally{found.rows().total(reshaped), found.rows().total(conditions)};
+  found.claim("p-changes-shape", tally.in_general(), fmt::format("{} move by more than 1e-3 chords", tally.words()),
+              "The smaller of the largest distances of the curves with p = -1 and p = 1 from that with p = 0; a curve "
+              "that is nearly a circular arc cannot change.");
 }
 
-store::ClaimRecord length_claim(const store::ExperimentRecord& record) {
-  const double parallel = study::total(record, "parallel tangents"),
-               by_formula = study::total(record, "parallel tangents by Eq. (8)");
-  const double lengths = study::total(record, "lengths"), agree = study::total(record, "lengths by Eq. (8)");
-  return claim(
-      "length-from-turning", study::verdict_for_all(parallel - by_formula + lengths - agree, parallel + lengths),
-      fmt::format("with theta_d = 0: {}", study::share(by_formula, parallel)),
-      fmt::format("Conditions with parallel tangents that the simplex solves with the length from Eq. (8), 0/0 "
-                  "there; Newton's method on the dimensionless equations solves {}. For random conditions Eq. "
-                  "(8) gives the length to 1e-9 in {}.",
-                  study::share(study::total(record, "parallel tangents solved"), parallel),
-                  study::share(agree, lengths)));
+void claim_length(Findings& found) {
+  const Rows& rows = found.rows();
+  const Tally by_formula{rows.total(parallel_by_formula), rows.total(parallel)},
+      by_newton{rows.total(parallel_solved), rows.total(parallel)},
+      agree{rows.total(lengths_by_formula), rows.total(lengths)};
+  Tally all = by_formula;
+  found.claim("length-from-turning", (all += agree).always(), fmt::format("with theta_d = 0: {}", by_formula.words()),
+              fmt::format("Conditions with parallel tangents that the simplex solves with the length from Eq. (8), 0/0 "
+                          "there; Newton's method on the dimensionless equations solves {}. For random conditions Eq. "
+                          "(8) gives the length to 1e-9 in {}.",
+                          by_newton.words(), agree.words()));
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {drawn_table(record), table(record), failure_table(record)};
-  if (auto drawn = figure(record); !drawn.panels.empty()) record.figures = {std::move(drawn)};
-  record.claims = {monotone_claim(record), inflection_claim(record), level_claim(record), shape_claim(record),
-                   length_claim(record)};
+void conclude(Findings& found) {
+  found.add(drawn_table(found));
+  found.add(condition_table(found));
+  found.add(failure_table(found));
+  found.add(figure(found));
+  claim_monotone(found);
+  claim_inflection(found);
+  claim_level(found);
+  claim_shape(found);
+  claim_length(found);
 }
 
 }  // namespace
 
 Experiment intrinsic_g1_experiment() {
-  return {.id = "intrinsic-g1",
-          .title = "G1 Hermite interpolation (Yoshida 2022, Fig. 3)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment(
+      {.id = "intrinsic-g1",
+       .title = "G1 Hermite interpolation (Yoshida 2022, Fig. 3)",
+       .about = std::string(about),
+       .paper = std::string(paper),
+       .claims = {"monotone-for-p", "inflection-may-appear", "level-ends", "p-changes-shape", "length-from-turning"},
+       .jobs = jobs,
+       .conclude = conclude});
 }
 
 }  // namespace kappabench

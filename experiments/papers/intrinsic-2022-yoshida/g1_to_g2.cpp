@@ -40,8 +40,8 @@ const Key control{"control"};
 const Quantity tried = count_of("chains"), solved = count_of("solved"), segments = count_of("segments");
 const Quantity intervals_before = count_of("intervals before"), intervals_after = count_of("intervals after");
 const Quantity jump_before{"jump before", "1", Method::exact}, jump_after{"jump after", "1", Method::exact};
-/// Of a control curvature, times the mean chord.
-const Quantity moved{"control moved", "1", Method::exact};
+/// Of a control curvature, times the mean chord; the controls come from a solver.
+const Quantity moved{"control moved", "1", Method::sampled};
 
 Input chain_of(const std::vector<std::array<double, 3>>& points) {
   Input input;
@@ -110,9 +110,8 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   for (const Drawing& drawing : chains(context)) {
     for (const auto& [kind, scheme] : {std::pair("G1", g1), std::pair("G2", g2)})
-      std::ranges::move(drawn_jobs<chain_fit>({.work = "chain", .schemes = {scheme}, .drawings = {drawing}},
-                                              fmt::format("{}, {}", drawing.id, kind), kind),
-                        std::back_inserter(jobs));
+      draw<chain_fit>(jobs, {.work = "chain", .schemes = {scheme}, .drawings = {drawing}},
+                      fmt::format("{}, {}", drawing.id, kind), kind);
     jobs.push_back(study::numbers_job<measure_chains>(
         {.work = "g1-to-g2",
          .schemes = {g1, g2},

@@ -1,25 +1,28 @@
-#include "experiments/run/experiment.hpp"
-
+// Yoshida 2022, Figs. 7 and 8: G2 data that the automatic family meets and others do not, and what curvature becomes
+// towards the border of the viable region.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "schemes/curve/jet.hpp"
 #include "schemes/intrinsic/viable_region.hpp"
 #include "schemes/segments/intrinsic.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace yoshida;
 using namespace intrinsic;
-
-namespace {
+using kappabench::Method;
+using study::count_of, study::Findings, study::Key, study::Notes, study::Quantity, study::Rows, study::Table;
 
 constexpr std::string_view about =
     "Pairs of end curvatures for theta_e = pi/9, theta_d = pi/3, in place of the four of Fig. 8, which the paper marks "
@@ -30,11 +33,12 @@ constexpr std::string_view about =
     "border curvature becomes a step; how much of the length it needs to rise from 10 to 90 % of its range is given "
     "for data ever nearer to it.";
 
-constexpr int version = 1;
+// ---- what is measured
 
 struct Pair {
   std::string_view name, where;
   double start, end;
+  std::string_view family = automatic;
 };
 /// Stand-ins for a, b, c and d of Fig. 8(a); c is the one whose curvature is like a step, Fig. 8(d).
 constexpr std::array<Pair, 4> pairs{{{"a", "high above the border", 0.05, 8.0},
@@ -43,12 +47,22 @@ constexpr std::array<Pair, 4> pairs{{{"a", "high above the border", 0.05, 8.0},
                                      {"d", "inside Fig. 6(a)", 0.2, 2.4}}};
 /// Stand-ins for Fig. 7: in the regions of Fig. 6(a) and (e).
 constexpr std::array<Pair, 2> examples{
-    {{"Fig. 7(a)", "inside Fig. 6(a)", 0.1, 2.2}, {"Fig. 7(b)", "inside Fig. 6(e)", 0.1, 6.0}}};
+    {{"Fig. 7(a)", "inside Fig. 6(a)", 0.1, 2.2, "(a) m = 4"},
+     {"Fig. 7(b)", "inside Fig. 6(e)", 0.1, 6.0, "(e) m = 6, p = 1, knots at ends"}}};
 constexpr std::array nearness{1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6};  ///< xi - 1
 
-StandardData data_of(const Pair& pair) { return with_curvatures(angles_of_figure_6(), pair.start, pair.end); }
+constexpr std::string_view border_dataset = "towards the border";
+const Key family{"family"}, excess{"xi - 1"};
+const Quantity xi{"xi", "1", Method::exact};
+const Quantity solved = count_of("solved"), monotone_found = count_of("monotone"), controls = count_of("controls");
+/// Share of the length on which curvature rises from 10 to 90 % of its range.
+const Quantity transition{"transition", "1", Method::sampled};
+const Quantity nearest{"nearest end", "chord", Method::sampled}, step_of_ends{"step of ends", "chord", Method::sampled};
+const Quantity missed{"gap", "1", Method::sampled};
 
-Settings example_settings(std::size_t i) { return families_of_figure_6()[i == 0 ? 0 : 4].settings(); }
+StandardData data_of(const Uses& uses) {
+  return with_curvatures(angles_of_figure_6(), uses.numbers.at("start"), uses.numbers.at("end"));
+}
 
 /// How far the ends of curves by the Bezier curvature function stay away from the data: all rising second and third
 /// control curvatures on a fine grid, the length from the turning (Eq. (8)). A monotone solution would show as a
@@ -88,8 +102,7 @@ NearestEnd nearest_end(const StandardData& data) {
   return best;
 }
 
-/// Share of the length on which curvature rises from 10 to 90 % of its range.
-double transition(const StandardCurve& curve) {
+double transition_of(const StandardCurve& curve) {
   const IntrinsicSegment segment(form_of(curve, 0.0));
   const double low = curve.controls.front(), high = curve.controls.back();
   // Monotone: bisection.
@@ -104,188 +117,188 @@ double transition(const StandardCurve& curve) {
   return where(0.9) - where(0.1);
 }
 
-void measure_pair(const Pair& pair, store::CellRecord& cell) {
-  const StandardData data = data_of(pair);
-  study::put(cell, "xi", viability(data).nesting);
-  for (const FixedFamily& family : families_of_figure_6()) {
-    const HermiteFit fit = solve(data, family.settings());
-    const std::string column(family.title);
-    study::put(cell, column + ": solved", fit.outcome == Outcome::converged ? 1.0 : 0.0);
-    study::put(cell, column + ": monotone", rises(fit) ? 1.0 : 0.0);
+study::Reading transition_of(const HermiteFit& fit) {
+  return transition(fit.curve ? transition_of(*fit.curve) : std::nan(""));
+}
+
+void measure_pair(const Uses& uses, Notes& notes) {
+  const StandardData data = data_of(uses);
+  notes.put(xi(viability(data).nesting));
+  for (const FixedFamily& fixed : families_of_figure_6()) {
+    const HermiteFit fit = solve(data, fixed.settings());
+    notes.row({family(fixed.title)},
+              {solved(fit.outcome == Outcome::converged ? 1 : 0), monotone_found(rises(fit) ? 1 : 0)});
   }
   const HermiteFit fit = solve(data);
-  study::put(cell, "automatic: monotone", rises(fit) ? 1.0 : 0.0);
-  study::put(cell, "automatic: controls", fit.curve ? static_cast<double>(fit.curve->controls.size()) : 0.0);
-  study::put(cell, "automatic: transition", fit.curve ? transition(*fit.curve) : std::nan(""),
-             kappabench::Method::sampled);
-  const NearestEnd nearest = nearest_end(data);
-  study::put(cell, "nearest end", nearest.distance, kappabench::Method::sampled);
-  study::put(cell, "step of ends", nearest.step, kappabench::Method::sampled);
+  notes.row({family(automatic)}, {monotone_found(rises(fit) ? 1 : 0),
+                                  controls(fit.curve ? fit.curve->controls.size() : 0), transition_of(fit)});
+  const NearestEnd end = nearest_end(data);
+  notes.row({}, {nearest(end.distance), step_of_ends(end.step)});
 }
 
 /// Ever nearer to the border over the middle of its range.
-StandardData near_border(double excess) {
+StandardData near_border(double beyond) {
   const StandardData angles = angles_of_figure_6();
   const double half = std::sin(0.5 * (angles.turning - 2.0 * angles.chord_angle));
-  const double side = 2.0 * std::abs(half) * std::sqrt(1.0 + excess);
+  const double side = 2.0 * std::abs(half) * std::sqrt(1.0 + beyond);
   return with_curvatures(angles, 2.0 * std::sin(angles.chord_angle) - side, 2.0 * std::sin(angles.end_angle()) + side);
 }
 
-void measure_border(store::CellRecord& cell) {
-  for (const double excess : nearness) {
-    const HermiteFit fit = solve(near_border(excess));
-    study::put(cell, "excess", excess);
-    study::put(cell, "monotone", rises(fit) ? 1.0 : 0.0);
-    study::put(cell, "gap", fit.residual, kappabench::Method::sampled);
-    study::put(cell, "transition", fit.curve ? transition(*fit.curve) : std::nan(""), kappabench::Method::sampled);
+void measure_border(const Uses&, Notes& notes) {
+  for (const double near : nearness) {
+    const HermiteFit fit = solve(near_border(near));
+    notes.row({excess(near)}, {monotone_found(rises(fit) ? 1 : 0), missed(fit.residual), transition_of(fit)});
   }
 }
 
+Fit drawn_fit(const Uses& uses) {
+  return as_fit(data_of(uses), solve(data_of(uses), settings_of(uses.words.at("family"))));
+}
+
 std::string dataset_of(const Pair& pair) { return fmt::format("({:g}, {:g})", pair.start, pair.end); }
-constexpr std::string_view border_dataset = "towards the border";
 
 std::vector<CellJob> jobs(const Context& context) {
   const SchemePtr scheme = context.registry.create("intrinsic");
   std::vector<CellJob> jobs;
-  const auto add = [&jobs](std::vector<CellJob> more) { std::ranges::move(more, std::back_inserter(jobs)); };
+  const auto uses = [&scheme](std::string work, const Pair& pair) {
+    return Uses{.work = std::move(work),
+                .schemes = {scheme},
+                .numbers = {{"start", pair.start}, {"end", pair.end}},
+                .words = {{"family", std::string(pair.family)}}};
+  };
   for (const Pair& pair : pairs) {
-    add(drawn_jobs(scheme, dataset_of(pair), "curve", version,
-                   [pair] { return as_fit(data_of(pair), solve(data_of(pair))); }));
-    jobs.push_back(numbers_job(scheme, dataset_of(pair), "pair", version,
-                               [pair](store::CellRecord& cell) { measure_pair(pair, cell); }));
+    draw<drawn_fit>(jobs, uses("G2 curve", pair), dataset_of(pair));
+    jobs.push_back(study::numbers_job<measure_pair>(uses("pair", pair), dataset_of(pair)));
   }
-  for (std::size_t i = 0; i < examples.size(); ++i)
-    add(drawn_jobs(scheme, dataset_of(examples[i]), "curve", version,
-                   [i] { return as_fit(data_of(examples[i]), solve(data_of(examples[i]), example_settings(i))); }));
-  jobs.push_back(numbers_job(scheme, std::string(border_dataset), "border", version, measure_border));
+  for (const Pair& pair : examples) draw<drawn_fit>(jobs, uses("G2 curve", pair), dataset_of(pair));
+  jobs.push_back(
+      study::numbers_job<measure_border>({.work = "border", .schemes = {scheme}}, std::string(border_dataset)));
   return jobs;
 }
 
-double value(const store::ExperimentRecord& record, std::string_view column, std::string_view dataset) {
-  const std::vector<double> all = study::values(record, column, dataset);
-  return all.empty() ? std::nan("") : all.front();
+// ---- what follows
+
+Rows rows_of(const Findings& found, const Pair& pair) {
+  return found.rows().where({study::key::dataset(dataset_of(pair))});
 }
 
-store::TableRecord pair_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "pairs", "Four pairs of end curvatures",
-      "1 where a monotone solution is found: by the fixed knots and p of Fig. 6 and by the automatic "
-      "family. Transition: share of the length on which its curvature rises from 10 to 90 % of its "
-      "range. Nearest end: least distance, in chords, from the end point of a curve with a Bezier "
-      "curvature function of rising control curvatures, tried on a grid; step: distance of the ends of "
-      "neighbouring choices there.");
-  builder.words("pair").words("where").numbers("start").numbers("end").numbers("xi");
-  for (const FixedFamily& family : families_of_figure_6()) builder.counts(std::string(family.title));
-  builder.counts("automatic").numbers("transition").numbers("nearest end").numbers("step");
+/// The one number of a pair, or of one of its families; NaN if it was not measured.
+double value(const Rows& rows, const Quantity& what) { return rows.mean(what); }
+double value(const Rows& rows, const Quantity& what, std::string_view by) {
+  return rows.where({family(by)}).mean(what);
+}
+
+Table pair_table(const Findings& found) {
+  Table table("pairs", "Four pairs of end curvatures",
+              "1 where a monotone solution is found: by the fixed knots and p of Fig. 6 and by the automatic "
+              "family. Transition: share of the length on which its curvature rises from 10 to 90 % of its "
+              "range. Nearest end: least distance, in chords, from the end point of a curve with a Bezier "
+              "curvature function of rising control curvatures, tried on a grid; step: distance of the ends of "
+              "neighbouring choices there.");
+  table.words("pair").words("where").numbers("start").numbers("end").numbers("xi");
+  for (const FixedFamily& fixed : families_of_figure_6()) table.counts(std::string(fixed.title));
+  table.counts("automatic").numbers("transition").numbers("nearest end").numbers("step");
   for (const Pair& pair : pairs) {
-    const std::string dataset = dataset_of(pair);
-    if (std::isnan(value(record, "xi", dataset))) continue;
-    std::vector<TableBuilder::Cell> row{std::string(pair.name), std::string(pair.where), pair.start, pair.end,
-                                        value(record, "xi", dataset)};
-    for (const FixedFamily& family : families_of_figure_6())
-      row.emplace_back(value(record, fmt::format("{}: monotone", family.title), dataset));
-    for (const std::string_view column :
-         {"automatic: monotone", "automatic: transition", "nearest end", "step of ends"})
-      row.emplace_back(value(record, column, dataset));
-    builder.row(row);
+    const Rows rows = rows_of(found, pair);
+    if (rows.empty()) continue;
+    std::vector<study::TableValue> row{pair.name, pair.where, pair.start, pair.end, value(rows, xi)};
+    for (const FixedFamily& fixed : families_of_figure_6()) row.emplace_back(value(rows, monotone_found, fixed.title));
+    row.emplace_back(value(rows, monotone_found, automatic));
+    for (const Quantity& what : {transition, nearest, step_of_ends}) row.emplace_back(value(rows, what));
+    table.row(row);
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord border_table(const store::ExperimentRecord& record) {
-  const auto excess = study::values(record, "excess", border_dataset),
-             rising = study::values(record, "monotone", border_dataset),
-             missed = study::values(record, "gap", border_dataset),
-             width = study::values(record, "transition", border_dataset);
-  TableBuilder builder("border", "Towards the border",
-                       "The automatic family on the diagonal of the region. Transition: share of the length on which "
-                       "curvature rises from 10 to 90 % of its range.");
-  builder.numbers("xi - 1").counts("monotone").numbers("gap").numbers("transition");
-  for (std::size_t i = 0; i < excess.size(); ++i) builder.row({excess[i], rising[i], missed[i], width[i]});
-  return builder.table();
+Table border_table(const Findings& found) {
+  Table table("border", "Towards the border",
+              "The automatic family on the diagonal of the region. Transition: share of the length on which "
+              "curvature rises from 10 to 90 % of its range.");
+  table.numbers("xi - 1").counts("monotone").numbers("gap").numbers("transition");
+  for (const auto& [near, rows] : found.rows().by(excess))
+    table.row({std::get<double>(near), value(rows, monotone_found), value(rows, missed), value(rows, transition)});
+  return table;
 }
 
-store::ClaimRecord previous_claim(const store::ExperimentRecord& record) {
-  double cases = 0.0, holds = 0.0;
+void claim_previous(Findings& found) {
+  constexpr std::string_view bezier = "(a) m = 4";
+  study::Tally tally;
   std::vector<std::string> lines;
-  for (const Pair& pair : pairs) {
-    if (pair.name == "d") continue;
-    const std::string dataset = dataset_of(pair);
-    const double nearest = value(record, "nearest end", dataset);
-    if (std::isnan(nearest)) continue;
-    cases += 1.0;
-    const bool impossible =
-        value(record, "(a) m = 4: monotone", dataset) == 0.0 && nearest > 4.0 * value(record, "step of ends", dataset);
-    const bool eight =
-        value(record, "automatic: monotone", dataset) == 1.0 && value(record, "automatic: controls", dataset) == 8.0;
-    holds += impossible && eight ? 1.0 : 0.0;
-    lines.push_back(fmt::format("{} {:.2g}", pair.name, nearest));
+  for (const Pair& pair : std::span(pairs).first(3)) {
+    const Rows rows = rows_of(found, pair);
+    if (rows.empty()) continue;
+    const double end = value(rows, nearest);
+    const bool impossible = value(rows, monotone_found, bezier) == 0.0 && end > 4.0 * value(rows, step_of_ends);
+    const bool eight = value(rows, monotone_found, automatic) == 1.0 && value(rows, controls) == 8.0;
+    tally.add(impossible && eight);
+    lines.push_back(fmt::format("{} {:.2g}", pair.name, end));
   }
-  return claim("beyond-previous-method", study::verdict_for_all(cases - holds, cases),
-               fmt::format("{} pairs out of reach of the Bezier curvature function and solved with eight",
-                           study::share(holds, cases)),
-               fmt::format("The pairs are stand-ins. Least distance of the end, in chords, over all rising control "
-                           "curvatures: {}. At d that method has {} monotone solution.",
-                           fmt::join(lines, ", "),
-                           value(record, "(a) m = 4: monotone", dataset_of(pairs[3])) == 1.0 ? "a" : "no"));
+  const bool reached = value(rows_of(found, pairs[3]), monotone_found, bezier) == 1.0;
+  found.claim(
+      "beyond-previous-method", tally.always(),
+      fmt::format("{} pairs out of reach of the Bezier curvature function and solved with eight", tally.words()),
+      fmt::format("The pairs are stand-ins. Least distance of the end, in chords, over all rising control "
+                  "curvatures: {}. At d that method has {} monotone solution.",
+                  fmt::join(lines, ", "), reached ? "a" : "no"));
 }
 
-store::ClaimRecord step_claim(const store::ExperimentRecord& record) {
-  const auto excess = study::values(record, "excess", border_dataset),
-             rising = study::values(record, "monotone", border_dataset),
-             width = study::values(record, "transition", border_dataset);
-  bool narrows = !excess.empty();
-  for (std::size_t i = 0; i < excess.size(); ++i)
-    narrows = narrows && rising[i] == 1.0 && (i == 0 || width[i] < width[i - 1]);
-  const bool step = narrows && width.back() < 0.05;
-  const double c = value(record, "automatic: transition", dataset_of(pairs[2]));
-  return claim(
-      "like-a-step",
-      excess.empty() ? "not reproduced"
-      : step         ? "reproduced"
-                     : "contradicted",
-      excess.empty() ? "nothing measured"
-                     : fmt::format("from 10 to 90 % of the range in {:.2g} of the length at xi - 1 = {:g}",
-                                   width.back(), excess.back()),
-      fmt::format("The automatic family on {} data ever nearer to the border; at c it is {:.2g} of the length. "
-                  "A linear curvature has 0.8; a step is what rises in less than 0.05.",
-                  excess.size(), c));
+void claim_step(Findings& found) {
+  const auto border = found.rows().by(excess);
+  bool narrows = !border.empty();
+  double width = HUGE_VAL;
+  for (const auto& [near, rows] : border) {
+    narrows = narrows && value(rows, monotone_found) == 1.0 && value(rows, transition) < width;
+    width = value(rows, transition);
+  }
+  const double c = value(rows_of(found, pairs[2]), transition);
+  found.claim("like-a-step",
+              border.empty()            ? "not reproduced"
+              : narrows && width < 0.05 ? "reproduced"
+                                        : "contradicted",
+              border.empty() ? "nothing measured"
+                             : fmt::format("from 10 to 90 % of the range in {:.2g} of the length at xi - 1 = {:g}",
+                                           width, std::get<double>(border.back().first)),
+              fmt::format("The automatic family on {} data ever nearer to the border; at c it is {:.2g} of the length. "
+                          "A linear curvature has 0.8; a step is what rises in less than 0.05.",
+                          border.size(), c));
 }
 
-store::FigureRecord figure(const store::ExperimentRecord& record, std::span<const Pair> shown, std::string id,
-                           std::string title, std::string caption) {
+void add_figure(Findings& found, std::span<const Pair> shown, std::string id, std::string title, std::string caption) {
   store::FigureRecord figure{.id = std::move(id),
                              .title = std::move(title),
-                             .caption = std::move(caption),
+                             .caption = std::move(caption) +
+                                        " Below: curvature over arc length; squares are control curvatures, ticks "
+                                        "knots.",
                              .columns = static_cast<int>(shown.size()),
                              .panels = {}};
   for (const Pair& pair : shown)
-    add_curve_panel(figure, record, dataset_of(pair),
+    add_curve_panel(figure, found, dataset_of(pair),
                     pair.name.size() == 1 ? dataset_of(pair) : fmt::format("{}: {}", pair.name, dataset_of(pair)));
-  for (const Pair& pair : shown) add_curvature_panel(figure, record, dataset_of(pair), std::string(pair.where));
-  return figure;
+  for (const Pair& pair : shown) add_curvature_panel(figure, found, dataset_of(pair), std::string(pair.where));
+  found.add(std::move(figure));
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {pair_table(record), border_table(record)};
-  const std::string below = " Below: curvature over arc length; squares are control curvatures, ticks knots.";
-  for (auto drawn :
-       {figure(record, pairs, "pairs", "Four pairs of end curvatures",
-               "Stand-ins for the points a, b, c, d of Fig. 8(a), by the automatic family." + below),
-        figure(record, examples, "examples", "Fixed knots",
-               "Stand-ins for Fig. 7: four control curvatures, and six with knots near the ends." + below)})
-    if (!drawn.panels.empty()) record.figures.push_back(std::move(drawn));
-  record.claims = {previous_claim(record), step_claim(record)};
+void conclude(Findings& found) {
+  found.add(pair_table(found));
+  found.add(border_table(found));
+  add_figure(found, pairs, "pairs", "Four pairs of end curvatures",
+             "Stand-ins for the points a, b, c, d of Fig. 8(a), by the automatic family.");
+  add_figure(found, examples, "examples", "Fixed knots",
+             "Stand-ins for Fig. 7: four control curvatures, and six with knots near the ends.");
+  claim_previous(found);
+  claim_step(found);
 }
 
 }  // namespace
 
 Experiment intrinsic_g2_experiment() {
-  return {.id = "intrinsic-g2",
-          .title = "G2 Hermite interpolation (Yoshida 2022, Figs. 7 and 8)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "intrinsic-g2",
+                            .title = "G2 Hermite interpolation (Yoshida 2022, Figs. 7 and 8)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"beyond-previous-method", "like-a-step"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

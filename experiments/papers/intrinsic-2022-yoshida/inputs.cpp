@@ -70,6 +70,8 @@ std::string_view name(Angles angles) {
   return angles == Angles::ordinary ? "0 < theta_e < theta_d - theta_e < pi/2" : "up to 0.95 pi";
 }
 
+Angles angles_named(std::string_view words) { return words == name(Angles::ordinary) ? Angles::ordinary : Angles::any; }
+
 StandardData random_angles(Angles angles, std::uint64_t seed, std::uint64_t index) {
   RandomSource random = source(seed, index);
   return angles == Angles::ordinary ? paper_angles(random) : any_angles(random);
@@ -95,6 +97,10 @@ std::string_view name(Kind kind) {
       return "deep inside";
   }
   return "";
+}
+
+Kind kind_named(std::string_view words) {
+  return *std::ranges::find_if(all_kinds, [words](Kind kind) { return name(kind) == words; });
 }
 
 StandardData random_viable(Kind kind, std::uint64_t seed, std::uint64_t index) {

@@ -14,6 +14,7 @@ namespace kappabench::yoshida {
 /// chord.
 enum class Angles { ordinary, any };
 [[nodiscard]] std::string_view name(Angles angles);
+[[nodiscard]] Angles angles_named(std::string_view name);
 
 [[nodiscard]] intrinsic::StandardData random_angles(Angles angles, std::uint64_t seed, std::uint64_t index);
 
@@ -33,6 +34,7 @@ inline constexpr std::array<Kind, 8> all_kinds{
     Kind::ordinary,       Kind::inflection, Kind::s_shape,     Kind::mirrored,
     Kind::near_symmetric, Kind::wide,       Kind::near_border, Kind::deep};
 [[nodiscard]] std::string_view name(Kind kind);
+[[nodiscard]] Kind kind_named(std::string_view name);
 
 [[nodiscard]] intrinsic::StandardData random_viable(Kind kind, std::uint64_t seed, std::uint64_t index);
 

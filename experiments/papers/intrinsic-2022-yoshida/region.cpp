@@ -5,10 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+#include <variant>
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
-#include "experiments/study/summaries.hpp"
 #include "schemes/intrinsic/viable_region.hpp"
 
 namespace kappabench::yoshida {
@@ -28,12 +27,8 @@ std::span<const Window> windows() {
   return all;
 }
 
-double Region::inside_count() const {
-  return static_cast<double>(std::ranges::count_if(inside, [](char c) { return c != 0; }));
-}
-double Region::outside_count() const {
-  return static_cast<double>(std::ranges::count_if(outside, [](char c) { return c != 0; }));
-}
+double Region::inside_count() const { return static_cast<double>(std::ranges::count(inside, 1)); }
+double Region::outside_count() const { return static_cast<double>(std::ranges::count(outside, 1)); }
 
 Region covered_region(const StandardData& angles, const Window& window, int side, const Settings& settings) {
   const auto places = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
@@ -44,59 +39,54 @@ Region covered_region(const StandardData& angles, const Window& window, int side
       const StandardData data = with_curvatures(angles, start, end);
       const HermiteFit fit = solve(data, settings);
       const std::size_t place = region.index(i, j);
-      const bool viable = viability(data).viable();
-      region.viable += viable ? 1.0 : 0.0;
-      region.unsolved += viable && fit.outcome != Outcome::converged ? 1.0 : 0.0;
-      (viable ? region.inside : region.outside)[place] = rises(fit) ? 1 : 0;
+      const bool expected = viability(data).viable();
+      region.viable += expected ? 1.0 : 0.0;
+      region.unsolved += expected && fit.outcome != Outcome::converged ? 1.0 : 0.0;
+      (expected ? region.inside : region.outside)[place] = rises(fit) ? 1 : 0;
     }
   return region;
 }
 
 namespace {
 
-void put_runs(const std::vector<char>& places, const std::string& what, store::CellRecord& cell) {
-  for (std::size_t i = 0; i < places.size();) {
-    if (places[i] == 0) {
-      ++i;
-      continue;
-    }
-    const std::size_t from = i;
-    while (i < places.size() && places[i] != 0) ++i;
-    study::put(cell, what + " from", static_cast<double>(from));
-    study::put(cell, what + " to", static_cast<double>(i));
+using study::count_of, study::Key, study::Quantity;
+
+const Quantity side_of_grid = count_of("side"), viable = count_of("viable"), unsolved = count_of("unsolved");
+/// A run of consecutive places: from the first to before the last.
+const Key covered_from{"covered from"}, outside_from{"outside from"};
+const Quantity covered_to = count_of("covered to"), outside_to = count_of("outside to");
+
+void put_runs(const std::vector<char>& places, const Key& from, const Quantity& to, study::Notes& notes) {
+  for (auto i = places.begin(); (i = std::find(i, places.end(), 1)) != places.end();) {
+    const auto end = std::find(i, places.end(), 0);
+    notes.row({from(i - places.begin())}, {to(end - places.begin())});
+    i = end;
   }
 }
 
-std::vector<char> runs_of(const store::CellRecord& cell, const std::string& what, std::size_t places) {
-  std::vector<char> found(places);
-  std::size_t from = 0;
-  for (const store::MeasurementRecord& m : cell.measurements) {
-    if (m.column == what + " from") from = static_cast<std::size_t>(m.value);
-    if (m.column == what + " to")
-      for (std::size_t i = from; i < std::min(places, static_cast<std::size_t>(m.value)); ++i) found[i] = 1;
-  }
-  return found;
+std::vector<char> runs_of(const study::Rows& rows, const Key& from, const Quantity& to, int side) {
+  std::vector<char> places(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  for (const auto& [first, run] : rows.by(from))
+    for (auto i = static_cast<std::size_t>(std::get<double>(first)); i < static_cast<std::size_t>(run.largest(to)); ++i)
+      places.at(i) = 1;
+  return places;
 }
 
 }  // namespace
 
-void put_region(const Region& region, store::CellRecord& cell) {
-  study::put(cell, "side", region.side);
-  study::put(cell, "viable", region.viable);
-  study::put(cell, "unsolved", region.unsolved);
-  put_runs(region.inside, "covered", cell);
-  put_runs(region.outside, "outside", cell);
+void put_region(const Region& region, study::Notes& notes) {
+  notes.row({}, {side_of_grid(region.side), viable(region.viable), unsolved(region.unsolved)});
+  put_runs(region.inside, covered_from, covered_to, notes);
+  put_runs(region.outside, outside_from, outside_to, notes);
 }
 
-Region region_of(const store::CellRecord& cell) {
-  Region region;
-  region.side = static_cast<int>(measured(cell, "side").value_or(0.0));
-  region.viable = measured(cell, "viable").value_or(0.0);
-  region.unsolved = measured(cell, "unsolved").value_or(0.0);
-  const auto places = static_cast<std::size_t>(region.side) * static_cast<std::size_t>(region.side);
-  region.inside = runs_of(cell, "covered", places);
-  region.outside = runs_of(cell, "outside", places);
-  return region;
+Region region_of(const study::Rows& rows) {
+  const int side = static_cast<int>(rows.total(side_of_grid));
+  return {.side = side,
+          .inside = runs_of(rows, covered_from, covered_to, side),
+          .outside = runs_of(rows, outside_from, outside_to, side),
+          .viable = rows.total(viable),
+          .unsolved = rows.total(unsolved)};
 }
 
 Region united(const Region& a, const Region& b) {

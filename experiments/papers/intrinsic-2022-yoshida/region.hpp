@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "reports/store/model.hpp"
+#include "experiments/study/notes.hpp"
+#include "experiments/study/rows.hpp"
 #include "schemes/intrinsic/solve.hpp"
 
 namespace kappabench::yoshida {
@@ -43,9 +44,10 @@ struct Region {
 [[nodiscard]] Region covered_region(const intrinsic::StandardData& angles, const Window& window, int side,
                                     const intrinsic::Settings& settings);
 
-/// In the cell: side, viable, unsolved, and the region as runs of consecutive places. Reading gives the same region.
-void put_region(const Region& region, store::CellRecord& cell);
-[[nodiscard]] Region region_of(const store::CellRecord& cell);
+/// Rows: side, viable and unsolved; and the region as runs of consecutive places. Reading gives the same region; of no
+/// rows, one without places.
+void put_region(const Region& region, study::Notes& notes);
+[[nodiscard]] Region region_of(const study::Rows& rows);
 
 /// Covered by either, `unsolved` unknown; a region without places is neutral. The grids must be the same.
 [[nodiscard]] Region united(const Region& a, const Region& b);

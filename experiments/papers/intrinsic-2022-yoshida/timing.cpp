@@ -1,5 +1,4 @@
-#include "experiments/run/experiment.hpp"
-
+// Yoshida 2022, Table 1: how long a solution takes, by the published method and by ours.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,36 +12,37 @@
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
 #include "experiments/papers/intrinsic-2022-yoshida/inputs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/experiment.hpp"
+#include "experiments/study/jobs.hpp"
 #include "experiments/study/timing.hpp"
 #include "schemes/intrinsic/fixed_knots.hpp"
 #include "schemes/intrinsic/sampling.hpp"
 #include "schemes/intrinsic/simplex.hpp"
 
 namespace kappabench {
+namespace {
 
 using namespace yoshida;
 using namespace intrinsic;
-
-namespace {
+using kappabench::Method;
+using study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Rows, study::Table;
 
 constexpr std::string_view about =
     "500 random G1 conditions with the paper's angles, p = 0, equal knots, 500 points of every curve. The published "
     "method is downhill simplex on the distance of the end, stopped at 1e-12 chords; it and Newton's method read the "
     "same tables, which depend on the knots alone and are set up once. Points are evaluated in one pass of the "
     "trapezium rule with its first correction, with sines and cosines of the C library or of xsimd. All works are "
-    "timed in one process, samples in "
-    "random order, by Google Benchmark in processor time, so that load hits all of them alike: only ratios compare "
+    "timed in one process, samples in random order, by Google Benchmark in processor time, so that load hits all of "
+    "them alike: only ratios compare "
     "across machines. The paper's times are from a Ryzen 9 3950X and GSL, with a tolerance that it does not name. "
     "Asked of this program are 40 times the simplex for the solution alone, 4 times with the same evaluation and 10 "
     "times with the vectorised one, at residuals of 1e-13.";
 
-constexpr int version = 1;
+// ---- what is measured
+
 constexpr long conditions = 500;  ///< unless the plan says otherwise
 constexpr int points = 500;
 constexpr double asked_residual = 1e-13;
-constexpr std::string_view timed_label = "simplex and Newton";
-
 /// Table 1.
 struct Row {
   int degree, controls;
@@ -63,6 +63,11 @@ struct Aim {
 constexpr std::array<Aim, 3> aims{{{newton, simplex, "solution alone", 40.0},
                                    {newton_points, simplex_points, "with the same evaluation", 4.0},
                                    {newton_fast_points, simplex_points, "with vectorised evaluation", 10.0}}};
+
+/// Rows are of one condition, solved for one row of Table 1.
+const Key family{"family"}, solver{"solver"};
+const Quantity residual{"residual", "1", Method::sampled};
+const Quantity converged = study::count_of("converged"), steps = study::count_of("steps");
 
 /// What depends on the knots alone.
 struct Tools {
@@ -102,20 +107,13 @@ std::function<void()> work_of(const Tools& tools, const std::vector<StandardData
   };
 }
 
-void measure_residuals(const Row& row, const FixedKnots& knots, const std::vector<StandardData>& data,
-                       store::CellRecord& cell) {
-  for (const bool of_newton : {true, false}) {
-    const std::string solver = key_of(row, of_newton ? newton : simplex);
+void measure_residuals(const Row& row, const FixedKnots& knots, const std::vector<StandardData>& data, Notes& notes) {
+  for (const auto& [words, solve_one] : {std::pair(newton, &by_newton), std::pair(simplex, &by_simplex)})
     for (const StandardData& d : data) {
-      const Solved solved = of_newton ? by_newton(knots, d) : by_simplex(knots, d);
-      const auto put = [&](std::string_view what, double value) {
-        study::put(cell, fmt::format("{}, {}", solver, what), value, kappabench::Method::sampled);
-      };
-      put("residual", gap(knots.curve(solved), d));
-      put("converged", solved.converged ? 1.0 : 0.0);
-      put("steps", solved.iterations);
+      const Solved solved = solve_one(knots, d);
+      notes.row({family(name_of(row)), solver(words)},
+                {residual(gap(knots.curve(solved), d)), converged(solved.converged ? 1 : 0), steps(solved.iterations)});
     }
-  }
 }
 
 /// The paper's standard deviation is over the conditions.
@@ -131,10 +129,10 @@ std::vector<double> seconds_of_each(const Tools& tools, const std::vector<Standa
   return each;
 }
 
-void time_table_1(std::uint64_t seed, long n, store::CellRecord& cell) {
+void time_table_1(const Uses& uses, Notes& notes) {
   std::vector<StandardData> data;
-  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(n); ++i)
-    data.push_back(random_angles(Angles::ordinary, seed, i));
+  const auto n = static_cast<std::uint64_t>(uses.numbers.at("conditions"));
+  for (std::uint64_t i = 0; i < n; ++i) data.push_back(random_angles(Angles::ordinary, uses.seed, i));
   std::vector<Tools> tools;
   tools.reserve(printed.size());
   for (const Row& row : printed) tools.push_back(tools_of(row));
@@ -149,48 +147,49 @@ void time_table_1(std::uint64_t seed, long n, store::CellRecord& cell) {
     works.push_back({key_of(row, newton_fast_points), work_of(tools[i], data, by_newton, Sines::vectorised, sink)});
     works.push_back({key_of(row, set_up), [&row, &sink] { sink.sum += tools_of(row).knots.table().first_total; }});
   }
-  cell.timings = time_all(works, {.repetitions = 7, .least_seconds = 0.01});
+  auto& timings = notes.cell().timings;
+  timings = time_all(works, {.repetitions = 7, .least_seconds = 0.01});
   for (std::size_t i = 0; i < printed.size(); ++i) {
-    measure_residuals(printed[i], tools[i].knots, data, cell);
-    cell.timings[key_of(printed[i], each_condition)] = seconds_of_each(tools[i], data, sink);
+    measure_residuals(printed[i], tools[i].knots, data, notes);
+    timings[key_of(printed[i], each_condition)] = seconds_of_each(tools[i], data, sink);
   }
 }
 
 std::vector<CellJob> jobs(const Context& context) {
-  const std::uint64_t seed = context.seed;
   const long n = amounts(context, "intrinsic-timing", {{"random-g1", conditions}}).front();
-  CellJob job =
-      numbers_job(context.registry.create("intrinsic"), "random G1 conditions", fmt::format("Table 1, seed {}", seed),
-                  version, [seed, n](store::CellRecord& cell) { time_table_1(seed, n, cell); });
-  job.label = timed_label;
-  return {std::move(job)};
+  return {study::numbers_job<time_table_1>({.work = "Table 1",
+                                            .schemes = {context.registry.create("intrinsic")},
+                                            .seed = context.seed,
+                                            .numbers = {{"conditions", static_cast<double>(n)}}},
+                                           "random G1 conditions", "simplex and Newton")};
 }
 
-std::vector<double> samples(const store::ExperimentRecord& record, const Row& row, std::string_view work) {
-  for (const store::CellRecord& cell : record.cells)
-    if (const auto found = cell.timings.find(key_of(row, work)); found != cell.timings.end()) return found->second;
+// ---- what follows
+
+std::vector<double> samples(const Findings& found, const Row& row, std::string_view work) {
+  for (const store::CellRecord& cell : found.cells())
+    if (const auto timed = cell.timings.find(key_of(row, work)); timed != cell.timings.end()) return timed->second;
   return {};
 }
 
 /// The rows of Table 1 that were timed.
-std::vector<Row> timed_rows(const store::ExperimentRecord& record) {
+std::vector<Row> timed_rows(const Findings& found) {
   std::vector<Row> rows;
   for (const Row& row : printed)
-    if (!samples(record, row, simplex).empty()) rows.push_back(row);
+    if (!samples(found, row, simplex).empty()) rows.push_back(row);
   return rows;
 }
 
-std::vector<double> measured_of(const store::ExperimentRecord& record, const Row& row, std::string_view solver,
-                                std::string_view what) {
-  return study::values(record, fmt::format("{}, {}", key_of(row, solver), what));
+Rows rows_of(const Findings& found, const Row& row, std::string_view words) {
+  return found.rows().where({family(name_of(row)), solver(words)});
 }
 
 /// Milliseconds a condition.
-double milliseconds(const store::ExperimentRecord& record, const Row& row, std::string_view work) {
-  return 1e3 * median(samples(record, row, work)) / static_cast<double>(samples(record, row, each_condition).size());
+double milliseconds(const Findings& found, const Row& row, std::string_view work) {
+  return 1e3 * median(samples(found, row, work)) / static_cast<double>(samples(found, row, each_condition).size());
 }
-double ratio(const store::ExperimentRecord& record, const Row& row, const Aim& aim) {
-  return milliseconds(record, row, aim.theirs) / milliseconds(record, row, aim.ours);
+double ratio(const Findings& found, const Row& row, const Aim& aim) {
+  return milliseconds(found, row, aim.theirs) / milliseconds(found, row, aim.ours);
 }
 
 double deviation(const std::vector<double>& values) {
@@ -200,84 +199,74 @@ double deviation(const std::vector<double>& values) {
   return values.size() < 2 ? std::nan("") : std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-store::TableRecord time_table(const store::ExperimentRecord& record) {
-  TableBuilder builder("times-seconds", "Table 1 beside ours",
-                       "Milliseconds a condition, medians of samples; standard deviation over the conditions, of the "
-                       "simplex with points. Tables: what depends on the knots alone, once for all conditions.");
-  builder.counts("degree").counts("controls").numbers("printed", "ms").numbers("printed deviation", "ms");
+Table time_table(const Findings& found) {
+  Table table("times-seconds", "Table 1 beside ours",
+              "Milliseconds a condition, medians of samples; standard deviation over the conditions, of the "
+              "simplex with points. Tables: what depends on the knots alone, once for all conditions.");
+  table.counts("degree").counts("controls").numbers("printed", "ms").numbers("printed deviation", "ms");
   for (const std::string_view work : {simplex_points, newton_points, newton_fast_points, simplex, newton})
-    builder.numbers(std::string(work), "ms");
-  builder.numbers("deviation", "ms").numbers("tables", "ms");
-  for (const Row& row : timed_rows(record)) {
-    std::vector<TableBuilder::Cell> cells{static_cast<double>(row.degree), static_cast<double>(row.controls),
-                                          row.milliseconds, row.deviation};
+    table.numbers(std::string(work), "ms");
+  table.numbers("deviation", "ms").numbers("tables", "ms");
+  for (const Row& row : timed_rows(found)) {
+    std::vector<study::TableValue> cells{row.degree, row.controls, row.milliseconds, row.deviation};
     for (const std::string_view work : {simplex_points, newton_points, newton_fast_points, simplex, newton})
-      cells.emplace_back(milliseconds(record, row, work));
-    cells.emplace_back(1e3 * deviation(samples(record, row, each_condition)));
-    cells.emplace_back(1e3 * median(samples(record, row, set_up)));
-    builder.row(cells);
+      cells.emplace_back(milliseconds(found, row, work));
+    cells.emplace_back(1e3 * deviation(samples(found, row, each_condition)));
+    cells.emplace_back(1e3 * median(samples(found, row, set_up)));
+    table.row(cells);
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord ratio_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "ratios-seconds", "How many times the simplex takes",
-      fmt::format("Medians in one process. Asked: 40 for the solution alone, 4 with the same evaluation, "
-                  "10 with the vectorised one, all at residuals of at most {:g}.",
-                  asked_residual));
-  builder.counts("degree").counts("controls").words("compared").numbers("ratio").numbers("asked").words("met");
-  for (const Row& row : timed_rows(record)) {
-    const std::vector<double> residuals = measured_of(record, row, newton, "residual");
-    const bool exact = !residuals.empty() && largest(residuals) <= asked_residual;
+Table ratio_table(const Findings& found) {
+  Table table("ratios-seconds", "How many times the simplex takes",
+              fmt::format("Medians in one process. Asked: 40 for the solution alone, 4 with the same evaluation, "
+                          "10 with the vectorised one, all at residuals of at most {:g}.",
+                          asked_residual));
+  table.counts("degree").counts("controls").words("compared").numbers("ratio").numbers("asked").words("met");
+  for (const Row& row : timed_rows(found)) {
+    const bool solved = rows_of(found, row, newton).largest(residual) <= asked_residual;
     for (const Aim& aim : aims) {
-      const double found = ratio(record, row, aim);
-      builder.row({static_cast<double>(row.degree), static_cast<double>(row.controls), std::string(aim.words), found,
-                   aim.ratio, std::string(found >= aim.ratio && exact ? "yes" : "no")});
+      const double times = ratio(found, row, aim);
+      table.row({row.degree, row.controls, aim.words, times, aim.ratio, times >= aim.ratio && solved ? "yes" : "no"});
     }
   }
-  return builder.table();
+  return table;
 }
 
-store::TableRecord residual_table(const store::ExperimentRecord& record) {
-  TableBuilder builder(
-      "residuals", "How well the conditions are met",
-      "Distance of the end in chords plus difference of the angle in radians; steps of Newton's method, "
-      "evaluations of the simplex.");
-  builder.counts("degree").counts("controls").words("solver").counts("conditions").counts("converged");
-  builder.numbers("largest residual").numbers("median residual").numbers("mean steps");
-  for (const Row& row : timed_rows(record))
-    for (const std::string_view solver : {newton, simplex}) {
-      const std::vector<double> residuals = measured_of(record, row, solver, "residual");
-      if (residuals.empty()) continue;
-      double converged = 0.0;
-      for (const double c : measured_of(record, row, solver, "converged")) converged += c;
-      builder.row({static_cast<double>(row.degree), static_cast<double>(row.controls), std::string(solver),
-                   static_cast<double>(residuals.size()), converged, largest(residuals), median(residuals),
-                   mean(measured_of(record, row, solver, "steps"))});
-    }
-  return builder.table();
+Table residual_table(const Findings& found) {
+  Table table("residuals", "How well the conditions are met",
+              "Distance of the end in chords plus difference of the angle in radians; steps of Newton's method, "
+              "evaluations of the simplex.");
+  table.counts("degree").counts("controls").words("solver").counts("conditions").counts("converged");
+  table.numbers("largest residual").numbers("median residual").numbers("mean steps");
+  for (const Row& row : timed_rows(found))
+    for (const std::string_view words : {newton, simplex})
+      if (const Rows rows = rows_of(found, row, words); !rows.empty())
+        table.row({row.degree, row.controls, words, rows.size(), rows.total(converged), rows.largest(residual),
+                   rows.median(residual), rows.mean(steps)});
+  return table;
 }
 
-store::ClaimRecord interactive_claim(const store::ExperimentRecord& record) {
+void claim_interactive(Findings& found) {
   constexpr double frame = 1000.0 / 60.0;
-  double rows = 0.0, slow = 0.0, slowest = 0.0;
-  for (const Row& row : timed_rows(record)) {
-    const double worst = 1e3 * largest(samples(record, row, each_condition));
-    rows += 1.0;
-    slow += worst > frame ? 1.0 : 0.0;
+  study::Tally fast;
+  double slowest = 0.0;
+  for (const Row& row : timed_rows(found)) {
+    const double worst = 1e3 * largest(samples(found, row, each_condition));
+    fast.add(worst <= frame);
     slowest = std::max(slowest, worst);
   }
-  return claim("interactive", study::verdict_for_all(slow, rows),
-               fmt::format("at most {:.3g} ms for any condition by the published method", slowest),
-               fmt::format("Solved by simplex and evaluated at {} points, {} conditions in each of {:.0f} rows; "
-                           "interactive is taken as one sixtieth of a second.",
-                           points, samples(record, printed.front(), each_condition).size(), rows));
+  found.claim("interactive", fast.always(),
+              fmt::format("at most {:.3g} ms for any condition by the published method", slowest),
+              fmt::format("Solved by simplex and evaluated at {} points, {} conditions in each of {:.0f} rows; "
+                          "interactive is taken as one sixtieth of a second.",
+                          points, samples(found, printed.front(), each_condition).size(), fast.cases));
 }
 
-store::ClaimRecord growth_claim(const store::ExperimentRecord& record) {
+void claim_growth(Findings& found) {
   std::vector<double> times;
-  for (const Row& row : timed_rows(record)) times.push_back(milliseconds(record, row, simplex_points));
+  for (const Row& row : timed_rows(found)) times.push_back(milliseconds(found, row, simplex_points));
   // Less than a tenth is within what load does to medians.
   bool grows = true;
   for (std::size_t i = 1; i < times.size(); ++i) grows = grows && times[i] > 1.1 * times[i - 1];
@@ -285,51 +274,49 @@ store::ClaimRecord growth_claim(const store::ExperimentRecord& record) {
   words.reserve(times.size());
   for (const double t : times) words.push_back(fmt::format("{:.3g}", t));
   const bool falls = times.size() > 1 && times.back() < times.front();
-  return claim("time-grows",
-               times.size() < 2 ? "not reproduced"
-               : grows          ? "reproduced"
-               : falls          ? "contradicted"
-                                : "not reproduced",
-               times.empty() ? "nothing timed" : fmt::format("{} ms", fmt::join(words, ", ")),
-               "Simplex and points, medians, rows in the order of Table 1; a row counts as slower than the one before "
-               "from a tenth on. "
-               "Degrees 1 to 3 with one knot span have equal quadratures here; more spans have more nodes.");
+  found.claim(
+      "time-grows",
+      times.size() < 2 ? "not reproduced"
+      : grows          ? "reproduced"
+      : falls          ? "contradicted"
+                       : "not reproduced",
+      times.empty() ? "nothing timed" : fmt::format("{} ms", fmt::join(words, ", ")),
+      "Simplex and points, medians, rows in the order of Table 1; a row counts as slower than the one before "
+      "from a tenth on. Degrees 1 to 3 with one knot span have equal quadratures here; more spans have more nodes.");
 }
 
 store::FigureRecord figure() {
-  store::PanelRecord panel{.kind = "graph", .title = "time a condition"};
-  panel.table = "times-seconds";
-  panel.x = "controls";
-  panel.y = {"printed",
-             std::string(simplex_points),
-             std::string(newton_points),
-             std::string(newton_fast_points),
-             std::string(simplex),
-             std::string(newton)};
-  panel.log_y = true;
-  panel.x_label = "control curvatures";
-  panel.y_label = "ms";
+  std::vector<std::string> works{"printed"};
+  for (const std::string_view work : {simplex_points, newton_points, newton_fast_points, simplex, newton})
+    works.emplace_back(work);
   return {.id = "intrinsic-timing",
           .title = "Time to solve and to evaluate 500 points",
           .caption = "Table 1 as printed (another machine) and medians here.",
           .columns = 1,
-          .panels = {panel}};
+          .panels = {Panel::graph("times-seconds", "controls", works, "time a condition")
+                         .labels("control curvatures", "ms")
+                         .log_y()}};
 }
 
-void conclude(const Context&, store::ExperimentRecord& record) {
-  record.tables = {time_table(record), ratio_table(record), residual_table(record)};
-  record.claims = {interactive_claim(record), growth_claim(record)};
-  if (!record.cells.empty()) record.figures = {figure()};
+void conclude(Findings& found) {
+  found.add(time_table(found));
+  found.add(ratio_table(found));
+  found.add(residual_table(found));
+  claim_interactive(found);
+  claim_growth(found);
+  if (!found.cells().empty()) found.add(figure());
 }
 
 }  // namespace
 
 Experiment intrinsic_timing_experiment() {
-  return {.id = "intrinsic-timing",
-          .title = "Computation time (Yoshida 2022, Table 1)",
-          .about = std::string(about),
-          .jobs = jobs,
-          .conclude = conclude};
+  return study::experiment({.id = "intrinsic-timing",
+                            .title = "Computation time (Yoshida 2022, Table 1)",
+                            .about = std::string(about),
+                            .paper = std::string(paper),
+                            .claims = {"interactive", "time-grows"},
+                            .jobs = jobs,
+                            .conclude = conclude});
 }
 
 }  // namespace kappabench

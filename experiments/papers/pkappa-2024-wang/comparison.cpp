@@ -12,8 +12,9 @@
 #include "experiments/study/curve_marks.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
+#include "experiments/study/measured.hpp"
 #include "experiments/study/selection.hpp"
-#include "experiments/study/summaries.hpp"
+#include "metrics/fairness.hpp"
 
 namespace kappabench {
 namespace {
@@ -126,12 +127,12 @@ std::vector<Shown> shown_fits(const Findings& found) {
   return all;
 }
 
-double metric(const Findings& found, const Shown& fit, std::string_view column) {
+double metric(const Findings& found, const Shown& fit, const Column& column) {
   const auto& curves = found.cell(fit.cell).curves;
   return curves.empty() ? undefined : measured(curves.front(), column).value_or(undefined);
 }
 
-double metric(const Findings& found, std::string_view dataset, std::string_view scheme, std::string_view column) {
+double metric(const Findings& found, std::string_view dataset, std::string_view scheme, const Column& column) {
   for (const Shown& fit : shown_fits(found))
     if (fit.dataset == dataset && fit.scheme == scheme) return metric(found, fit, column);
   return undefined;
@@ -153,8 +154,8 @@ Table flaw_table(const Findings& found) {
     std::vector<study::TableValue> row{fit.dataset, fit.scheme, found.cell(fit.cell).outcome};
     const Rows own = found.rows().where({study::key::dataset(fit.dataset), scheme_key(fit.scheme)});
     for (const Quantity* count : counted) row.emplace_back(own.empty() ? undefined : own.total(*count));
-    for (const std::string_view column : {"curvature_variation", "mvc_energy"})
-      row.emplace_back(metric(found, fit, column));
+    for (const Column* column : {&column::curvature_variation, &column::mvc_energy})
+      row.emplace_back(metric(found, fit, *column));
     table.row(row);
   }
   return table;
@@ -254,8 +255,9 @@ void claim_uniform(Findings& found) {
   std::vector<std::string> numbers;
   for (const Shown& fit : shown_fits(found)) {
     if (fit.scheme != "pkappa") continue;
-    const double own = metric(found, fit, "mvc_energy"), k = metric(found, fit.dataset, "kappa", "mvc_energy"),
-                 y = metric(found, fit.dataset, "yuksel", "mvc_energy");
+    const double own = metric(found, fit, column::mvc_energy),
+                 k = metric(found, fit.dataset, "kappa", column::mvc_energy),
+                 y = metric(found, fit.dataset, "yuksel", column::mvc_energy);
     if (std::isnan(own) || std::isnan(k) || std::isnan(y)) continue;
     lower.add(own < k && own < y);
     numbers.push_back(fmt::format("{}: {:.3g} against {:.3g} and {:.3g}", fit.dataset, own, k, y));

@@ -12,8 +12,9 @@
 #include "experiments/papers/pkappa-2024-wang/two_ways.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
 #include "metrics/continuity.hpp"
+#include "metrics/parabola_energy.hpp"
 
 namespace kappabench {
 namespace {
@@ -165,12 +166,12 @@ struct Drawn {
   explicit Drawn(const store::CellRecord& cell) {
     double all = 0.0;
     for (const store::CurveRecord& curve : cell.curves) {
-      const auto value = [&curve](std::string_view column) { return measured(curve, column).value_or(undefined); };
+      const auto value = [&curve](const Column& column) { return measured(curve, column).value_or(undefined); };
       const double n = static_cast<double>(curve.point_x.size()) - (curve.closed ? 0.0 : 2.0);
       all += n;
-      mean += n * value("parabola_energy_native_mean");
-      largest = std::max(largest, value("parabola_energy_native_max"));
-      missed += value("continuity_violations");
+      mean += n * value(column::parabola_energy_native.mean);
+      largest = std::max(largest, value(column::parabola_energy_native.max));
+      missed += value(column::continuity_violations);
     }
     mean /= all;
   }

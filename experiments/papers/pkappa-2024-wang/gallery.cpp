@@ -8,7 +8,9 @@
 #include "experiments/papers/pkappa-2024-wang/common.hpp"
 #include "experiments/papers/pkappa-2024-wang/inputs.hpp"
 #include "experiments/study/experiment.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
+#include "metrics/monotone_intervals.hpp"
+#include "metrics/parabola_energy.hpp"
 
 namespace kappabench {
 namespace {
@@ -65,18 +67,18 @@ struct Statistics {
  private:
   void add(const store::CurveRecord& curve) {
     const int n = static_cast<int>(curve.point_x.size()), own_segments = curve.closed ? n : n - 2;
-    const auto value = [&curve](std::string_view column) {
+    const auto value = [&curve](const Column& column) {
       return measured(curve, column).value_or(std::numeric_limits<double>::infinity());
     };
     points += n;
     (curve.closed ? closed : open) += 1;
     unsolved += curve.outcome == "converged" ? 0 : 1;
     segments += own_segments;
-    mean += own_segments * value("parabola_energy_native_mean");
-    scaled_mean += own_segments * value("parabola_energy_native_scaled_mean");
-    few_intervals += own_segments * measured(curve, "segments_with_at_most_two_intervals").value_or(0.0);
-    largest = std::max(largest, value("parabola_energy_native_max"));
-    scaled_largest = std::max(scaled_largest, value("parabola_energy_native_scaled_max"));
+    mean += own_segments * value(column::parabola_energy_native.mean);
+    scaled_mean += own_segments * value(column::parabola_energy_native.scaled_mean);
+    few_intervals += own_segments * measured(curve, column::segments_with_at_most_two_intervals).value_or(0.0);
+    largest = std::max(largest, value(column::parabola_energy_native.max));
+    scaled_largest = std::max(scaled_largest, value(column::parabola_energy_native.scaled_max));
     seconds += curve.seconds;
   }
 };

@@ -11,9 +11,9 @@
 #include "experiments/papers/pkappa-2024-wang/inputs.hpp"
 #include "experiments/run/record.hpp"
 #include "experiments/study/curve_marks.hpp"
+#include "experiments/study/distance.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/study.hpp"
 
 namespace kappabench {
 namespace {

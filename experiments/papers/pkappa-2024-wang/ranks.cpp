@@ -22,7 +22,10 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }  // namespace
 
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size() || a.size() < 3) return undefined;
+  const auto has_missing = [](const auto& values) {
+    return std::ranges::any_of(values, [](double v) { return std::isnan(v); });
+  };
+  if (a.size() != b.size() || a.size() < 3 || has_missing(a) || has_missing(b)) return undefined;
   const std::vector<double> ra = ranks(a), rb = ranks(b);
   const double middle = 0.5 * static_cast<double>(a.size() - 1);
   double ab = 0.0, aa = 0.0, bb = 0.0;

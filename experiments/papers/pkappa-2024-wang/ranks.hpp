@@ -4,7 +4,8 @@
 
 namespace kappabench::wang {
 
-/// Spearman's rank correlation; equal values share their ranks. NaN for fewer than three pairs or constant values.
+/// Spearman's rank correlation; equal values share their ranks. NaN for fewer than three pairs, constant or missing
+/// values.
 [[nodiscard]] double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace kappabench::wang

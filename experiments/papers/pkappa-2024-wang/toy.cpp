@@ -10,7 +10,9 @@
 #include "experiments/papers/pkappa-2024-wang/parabolas.hpp"
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
+#include "metrics/extremum_offset.hpp"
+#include "metrics/monotone_intervals.hpp"
 #include "metrics/parabola_energy.hpp"
 
 namespace kappabench {
@@ -81,11 +83,11 @@ Table numbers(const store::CurveRecord& curve) {
       "E_p is the integral of (κ - Q)² over arc length; times the mean chord it does not depend on the unit. The "
       "offset is the arc length from the point to the nearest extremum of curvature over the local chord.");
   table.words("quantity").numbers("value");
-  for (const auto& [name, column] : {std::pair("E_p (1/length)", "parabola_energy_native_mean"),
-                                     std::pair("E_p times mean chord", "parabola_energy_native_scaled_mean"),
-                                     std::pair("intervals of monotone curvature", "intervals_per_segment_mean"),
-                                     std::pair("offset of the point", "extremum_offset_mean")})
-    table.row({name, measured(curve, column).value_or(undefined)});
+  for (const auto& [name, column] : {std::pair("E_p (1/length)", &column::parabola_energy_native.mean),
+                                     std::pair("E_p times mean chord", &column::parabola_energy_native.scaled_mean),
+                                     std::pair("intervals of monotone curvature", &column::intervals_per_segment_mean),
+                                     std::pair("offset of the point", &column::extremum_offset_mean)})
+    table.row({name, measured(curve, *column).value_or(undefined)});
   for (const double t : curve.node_t)
     if (t > 0.0 && t < 1.0) table.row({"t of the point", t});
   return table;

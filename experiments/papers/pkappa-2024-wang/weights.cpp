@@ -10,7 +10,10 @@
 
 #include "experiments/papers/pkappa-2024-wang/ranks.hpp"
 #include "experiments/study/experiment.hpp"
-#include "experiments/study/summaries.hpp"
+#include "experiments/study/measured.hpp"
+#include "metrics/fairness.hpp"
+#include "metrics/features.hpp"
+#include "metrics/parabola_energy.hpp"
 
 namespace kappabench {
 namespace {
@@ -60,7 +63,7 @@ const store::CurveRecord* stand_in(const Findings& found, const Weights& weights
 }
 
 double energy_of(const store::CurveRecord& stand_in) {
-  return measured(stand_in, "parabola_energy_native_mean").value_or(std::numeric_limits<double>::infinity());
+  return measured(stand_in, column::parabola_energy_native.mean).value_or(std::numeric_limits<double>::infinity());
 }
 
 double crossing_curves(const Rows& rows) {
@@ -82,9 +85,10 @@ Table stand_in_table(const Findings& found) {
   table.words("outcome");
   for (const Weights& weights : table_1)
     if (const auto* curve = stand_in(found, weights)) {
-      const auto value = [curve](std::string_view column) { return measured(*curve, column).value_or(undefined); };
-      table.row({weights.words, weights.mean, weights.largest, value("parabola_energy_native_mean"),
-                 value("parabola_energy_native_max"), value("length_over_chords"), value("loops"), curve->outcome});
+      const auto value = [curve](const Column& column) { return measured(*curve, column).value_or(undefined); };
+      table.row({weights.words, weights.mean, weights.largest, value(column::parabola_energy_native.mean),
+                 value(column::parabola_energy_native.max), value(column::length_over_chords), value(column::loops),
+                 curve->outcome});
     }
   return table;
 }
