@@ -254,7 +254,7 @@ void claim_corrected(Findings& found, std::string_view id, std::string_view prin
 
 /// Eq. (43) against the rows that the paper prints.
 void claim_triangle(Findings& found) {
-  const Paper printed = read_paper(papers_folder() / fmt::format("{}.toml", paper));
+  const Paper& printed = printed_paper(paper);
   const auto table = std::ranges::find(printed.tables, "triangle", &PrintedTable::id);
   if (table == printed.tables.end()) return;
   study::Tally equal;
