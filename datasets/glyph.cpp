@@ -178,4 +178,12 @@ Drawing glyph_drawing(std::string_view name) {
   return drawing;
 }
 
+std::string freetype_version() {
+  const FontLibrary library = open_font_library();
+  if (!library) return "unknown";
+  FT_Int major = 0, minor = 0, patch = 0;
+  FT_Library_Version(library.get(), &major, &minor, &patch);
+  return fmt::format("{}.{}.{}", major, minor, patch);
+}
+
 }  // namespace kappabench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "datasets/drawing.hpp"
@@ -12,5 +13,8 @@ namespace kappabench {
 /// its curves is extreme in x or y; points closer than half a font unit (the grid of outlines) to the one before are
 /// left out, and so are contours of fewer than three points. Throws DataError, also for an empty glyph.
 [[nodiscard]] Drawing glyph_drawing(std::string_view name);
+
+/// Of the library that reads fonts; "unknown" if it cannot start.
+[[nodiscard]] std::string freetype_version();
 
 }  // namespace kappabench

@@ -62,8 +62,7 @@ Energies native_energies(const Curve& curve, const CurvatureProfile& profile) {
   std::vector<int> count(n, 0);
   std::vector<double> vertex(n, 0.0);
   for (const Node& node : curve.nodes()) {
-    const bool inside = node.t > 0.0 && node.t < 1.0 && !node.at_inflection;
-    if (!inside) continue;
+    if (node.t <= 0.0 || node.t >= 1.0) continue;
     ++count[static_cast<std::size_t>(node.segment)];
     vertex[static_cast<std::size_t>(node.segment)] = node.t;
   }

@@ -260,7 +260,7 @@ std::string contents(const Results& results, const std::vector<Paper>& papers) {
   return text + "<li><a href=\"#provenance\">Provenance</a></li>\n</ul></nav>\n";
 }
 
-std::string provenance_section(const Results& results) {
+std::string provenance_section(const Results& results, std::string_view gnuplot) {
   std::string rows, longer;
   for (const auto& [key, value] : results.provenance) {
     if (value.size() > 200 || value.find('\n') != std::string::npos) {
@@ -270,6 +270,7 @@ std::string provenance_section(const Results& results) {
       rows += fmt::format("<tr>{}{}</tr>\n", cell(key), cell(value));
     }
   }
+  if (!gnuplot.empty()) rows += fmt::format("<tr>{}{}</tr>\n", cell("gnuplot, of the figures"), cell(gnuplot));
   std::string text = "<footer><h2 id=\"provenance\">Provenance</h2>\n";
   if (!rows.empty()) text += "<div class=\"scroll\"><table>\n" + rows + "</table></div>\n";
   return text + longer + "</footer>\n";
@@ -304,7 +305,7 @@ std::string html_escaped(std::string_view text) {
 }
 
 std::string to_html(const Results& results, const std::vector<Paper>& papers,
-                    const std::map<std::string, FigureState>& figures) {
+                    const std::map<std::string, FigureState>& figures, std::string_view gnuplot) {
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>kappabench report</title>\n"
@@ -315,7 +316,7 @@ std::string to_html(const Results& results, const std::vector<Paper>& papers,
     if (mentions(results, paper.id)) text += paper_section(results, paper);
   }
   for (const auto& experiment : results.experiments) text += experiment_section(experiment, papers, figures);
-  return text + provenance_section(results) + "</body>\n</html>\n";
+  return text + provenance_section(results, gnuplot) + "</body>\n</html>\n";
 }
 
 }  // namespace kappabench

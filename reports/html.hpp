@@ -17,9 +17,9 @@ struct FigureState {
 };
 
 /// The page of a whole report: one file with its style inside, links only to the files beside it. `figures` is by
-/// file stem.
+/// file stem; `gnuplot` is the version of the program that drew them, if known.
 [[nodiscard]] std::string to_html(const store::Results& results, const std::vector<Paper>& papers,
-                                  const std::map<std::string, FigureState>& figures);
+                                  const std::map<std::string, FigureState>& figures, std::string_view gnuplot = {});
 
 /// `text` with &, <, > and quotes as entities.
 [[nodiscard]] std::string html_escaped(std::string_view text);

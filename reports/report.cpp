@@ -219,7 +219,8 @@ std::vector<std::string> write_report(const store::Results& results, const fs::p
         std::any_of(warnings.begin(), warnings.end(), [&](const auto& w) { return w.ends_with(problem); });
     if (!problem.empty() && !told) warnings.push_back(fmt::format("figure {}: {}", tasks[i].stem, problem));
   }
-  replace_file(folder / "index.html", to_html(results, papers, figures));
+  const std::string gnuplot = tasks.empty() ? std::string() : gnuplot_version(folder, options.gnuplot);
+  replace_file(folder / "index.html", to_html(results, papers, figures, gnuplot));
   counter.done("index.html");
   return warnings;
 }

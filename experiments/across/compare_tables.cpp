@@ -67,7 +67,7 @@ Table curve_table(const Findings& found) {
   Table table(std::string(compare_table_id), "Every curve, every scheme",
               "One row a curve and scheme. The methods (exact, enclosed, sampled) are in the results file.");
   table.words("dataset").counts("curve").words("scheme").counts("points").words("outcome").counts("iterations");
-  table.numbers("residual").counts("pinned").counts("at inflection");
+  table.numbers("residual").counts("pinned").counts("at_inflection");
   const std::vector<Column> columns = columns_of(found);
   for (const Column& column : columns) table.numbers(column.name, column.unit);
   for (const store::CellRecord& cell : found.cells())
@@ -93,7 +93,7 @@ Table scheme_table(const Findings& found) {
               "Counts of curves by outcome and of points that are pinned or at an inflection; medians over the curves "
               "that have the metric.");
   table.words("scheme").counts("curves").counts("converged").counts("not converged").counts("unsupported");
-  table.counts("lost").counts("points").counts("pinned").counts("at inflection").numbers("median iterations");
+  table.counts("lost").counts("points").counts("pinned").counts("at_inflection").numbers("median iterations");
   const std::vector<Column> columns = columns_of(found);
   for (const Column& column : columns) table.numbers("median " + column.name, column.unit);
   for (auto& [label, of] : totals_by_scheme(found, columns)) {

@@ -43,7 +43,7 @@ std::string table_json(const store::TableRecord& table) {
       std::visit([&](const auto& cells) { row[column.name] = cells[i]; }, column.cells);
     rows.push_back(std::move(row));
   }
-  return rows.dump(2) + "\n";
+  return rows.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 /// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.

@@ -26,6 +26,8 @@ ordered_json schemes_json(const Registry& registry) {
                             {"default", value_json(spec.default_value)},
                             {"range", range_text(spec)},
                             {"help", spec.help}});
+    ordered_json marks = ordered_json::array();
+    for (const MarkSpec& mark : info.marks) marks.push_back({{"name", mark.name}, {"help", mark.help}});
     const SchemeTraits& traits = info.traits;
     list.push_back({{"id", info.id},
                     {"title", info.title},
@@ -39,7 +41,9 @@ ordered_json schemes_json(const Registry& registry) {
                     {"continuity_exceptions", traits.continuity_exceptions},
                     {"locality", traits.locality},
                     {"hermite", traits.hermite},
-                    {"parameters", parameters}});
+                    {"parameters", parameters},
+                    {"marks", marks},
+                    {"libraries", info.libraries}});
   }
   return list;
 }

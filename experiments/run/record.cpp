@@ -1,5 +1,7 @@
 #include "experiments/run/record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ranges>
@@ -53,8 +55,7 @@ void add_nodes(store::CurveRecord& record, const Curve& curve, const std::vector
     record.node_y.push_back(jet.position().y());
     record.node_s.push_back(starts[static_cast<std::size_t>(node.segment)] + arc_length(segment, 0.0, node.t, 1e-9));
     record.node_kappa.push_back(curvature(jet));
-    record.node_pinned.push_back(node.pinned ? 1 : 0);
-    record.node_at_inflection.push_back(node.at_inflection ? 1 : 0);
+    record.node_marks.push_back(fmt::format("{}", fmt::join(node.marks, " ")));
   }
 }
 

@@ -84,9 +84,10 @@ void reuse_cells(const RunOptions& options, const std::vector<CellJob>& jobs, co
 }
 
 /// Experiments of the plan with the cells there are. With all of them there, tables, figures and verdicts follow.
-store::Results assemble(const std::vector<Prepared>& prepared, const Plan& plan, const Cells& cells, bool complete) {
+store::Results assemble(const Registry& registry, const std::vector<Prepared>& prepared, const Plan& plan,
+                        const Cells& cells, bool complete) {
   store::Results results;
-  results.provenance = provenance();
+  results.provenance = provenance(registry);
   results.provenance["plan"] = to_toml(plan);
   results.provenance["seed"] = fmt::format("{}", plan.seed);
   for (const Prepared& p : prepared) {
@@ -130,7 +131,7 @@ RunSummary run(const Registry& registry, const Plan& plan, const RunOptions& opt
     if (lost(cell)) ++summary.lost;
     cells.emplace(job.key(), std::move(cell));
   }
-  summary.results = assemble(prepared, plan, cells, options.shards == 1);
+  summary.results = assemble(registry, prepared, plan, cells, options.shards == 1);
   store::write_results(options.results, summary.results);
   fs::remove_all(folder);
   return summary;
@@ -156,7 +157,7 @@ store::Results merge(const Registry& registry, const std::vector<fs::path>& shar
   if (missing > 0)
     throw std::invalid_argument(
         fmt::format("{} cells of the plan are in none of the files; run the missing shards", missing));
-  return assemble(prepared, plan, cells, true);
+  return assemble(registry, prepared, plan, cells, true);
 }
 
 }  // namespace kappabench

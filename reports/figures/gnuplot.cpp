@@ -77,4 +77,18 @@ Rendering run_gnuplot(const std::filesystem::path& folder, const std::string& sc
   return {};
 }
 
+std::string gnuplot_version(const std::filesystem::path& folder, const std::string& program) {
+  const std::string script = ".gnuplot-version.gp", answer = ".gnuplot-version.txt";
+  std::ofstream(folder / script) << "set print '" << answer << "'\n"
+                                 << "print sprintf('%g.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n";
+  std::string version;
+  if (run_gnuplot(folder, script, program).problem.empty()) {
+    std::ifstream stream(folder / answer);
+    std::getline(stream, version);
+  }
+  std::error_code ignored;
+  for (const std::string& file : {script, answer}) std::filesystem::remove(folder / file, ignored);
+  return version;
+}
+
 }  // namespace kappabench

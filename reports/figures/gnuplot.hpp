@@ -16,4 +16,7 @@ struct Rendering {
 [[nodiscard]] Rendering run_gnuplot(const std::filesystem::path& folder, const std::string& script,
                                     const std::string& program = "gnuplot");
 
+/// "5.4.4": what the program says of itself when it is run in `folder`; empty if it says nothing.
+[[nodiscard]] std::string gnuplot_version(const std::filesystem::path& folder, const std::string& program = "gnuplot");
+
 }  // namespace kappabench

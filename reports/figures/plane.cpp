@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ranges>
 #include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "reports/figures/panel.hpp"
 
@@ -140,18 +144,33 @@ void draw_curves(const std::vector<const CurveRecord*>& curves, const std::strin
 
 using Places = std::set<std::pair<double, double>>;
 
-struct Mark {
+/// Places that are drawn with one symbol.
+struct Symbol {
   std::string text;
   std::string point;
   Places places;
 };
 
-/// Marks in the order in which they are laid over one another.
-std::vector<Mark> marks_of(const PanelRecord& panel, const Cells& cells) {
-  Mark joints{"joint", "pt 6 ps 0.7 lw 1.2 lc rgb '#404040'", {}};
-  Mark points{"input point", "pt 5 ps 0.6 lc rgb '#000000'", {}};
-  Mark pinned{"pinned node", "pt 7 ps 0.75 lc rgb '#E00000'", {}};
-  Mark inflections{"node at an inflection", "pt 12 ps 1.2 lw 1.5 lc rgb '#7030A0'", {}};
+/// A node's mark that is drawn; others are not.
+struct DrawnMark {
+  std::string_view name;
+  Symbol symbol;
+};
+
+const std::array<DrawnMark, 2> drawn_marks{
+    {{"pinned", {"pinned node", "pt 7 ps 0.75 lc rgb '#E00000'", {}}},
+     {"at_inflection", {"node at an inflection", "pt 12 ps 1.2 lw 1.5 lc rgb '#7030A0'", {}}}}};
+
+bool has_mark(std::string_view marks, std::string_view name) {
+  return std::ranges::any_of(std::views::split(marks, ' '),
+                             [&](const auto& word) { return std::ranges::equal(word, name); });
+}
+
+/// Symbols in the order in which they are laid over one another.
+std::vector<Symbol> symbols_of(const PanelRecord& panel, const Cells& cells) {
+  Symbol joints{"joint", "pt 6 ps 0.7 lw 1.2 lc rgb '#404040'", {}};
+  Symbol points{"input point", "pt 5 ps 0.6 lc rgb '#000000'", {}};
+  auto marks = drawn_marks;
   for (const auto* cell : cells) {
     for (const auto* curve : curves_of(panel, *cell)) {
       if (panel.joints) {
@@ -164,20 +183,22 @@ std::vector<Mark> marks_of(const PanelRecord& panel, const Cells& cells) {
         points.places.emplace(curve->point_x[i], curve->point_y[i]);
       }
       for (std::size_t i = 0; i < curve->node_x.size(); ++i) {
-        if (curve->node_pinned[i] != 0) pinned.places.emplace(curve->node_x[i], curve->node_y[i]);
-        if (curve->node_at_inflection[i] != 0) inflections.places.emplace(curve->node_x[i], curve->node_y[i]);
+        for (auto& [name, symbol] : marks)
+          if (has_mark(curve->node_marks[i], name)) symbol.places.emplace(curve->node_x[i], curve->node_y[i]);
       }
     }
   }
-  return {joints, points, pinned, inflections};
+  std::vector<Symbol> symbols{std::move(joints), std::move(points)};
+  for (auto& mark : marks) symbols.push_back(std::move(mark.symbol));
+  return symbols;
 }
 
-void draw_mark(const Mark& mark, const Context& context, Panel& drawn, DataFile& data) {
-  if (mark.places.empty()) return;
+void draw_symbol(const Symbol& symbol, const Context& context, Panel& drawn, DataFile& data) {
+  if (symbol.places.empty()) return;
   Rows rows;
-  for (const auto& [x, y] : mark.places) rows.add({x, y});
-  plot(drawn, data, mark.text + ": x y", rows, "with points " + mark.point);
-  context.key.add({mark.text, "", mark.point});
+  for (const auto& [x, y] : symbol.places) rows.add({x, y});
+  plot(drawn, data, symbol.text + ": x y", rows, "with points " + symbol.point);
+  context.key.add({symbol.text, "", symbol.point});
 }
 
 Interval united(Interval a, std::optional<Interval> b) {
@@ -249,7 +270,7 @@ Panel draw_plane(const PanelRecord& panel, const Context& context, DataFile& dat
   const auto lines = enter_cells(cells, context, drawn);
   if (panel.comb) draw_combs(panel, cells, context, drawn, data);
   for (std::size_t i = 0; i < cells.size(); ++i) draw_curves(curves_of(panel, *cells[i]), lines[i], drawn, data);
-  for (const auto& mark : marks_of(panel, cells)) draw_mark(mark, context, drawn, data);
+  for (const Symbol& symbol : symbols_of(panel, cells)) draw_symbol(symbol, context, drawn, data);
   if (panel.window.empty()) {
     draw_frames(panel, context, drawn, data);
     const double margin = 0.04 * std::max(size_of(drawn.range), 1e-300);

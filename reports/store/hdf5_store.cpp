@@ -141,4 +141,10 @@ CellRecord read_cell(const std::filesystem::path& file) {
   });
 }
 
+std::string hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5::H5Library::getLibVersion(major, minor, release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
 }  // namespace kappabench::store

@@ -2,13 +2,14 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include "reports/store/model.hpp"
 
 namespace kappabench::store {
 
 /// Version of the layout in reports/README.md. A file of another version is refused.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// A file that cannot be written or read; what() is one line: which file, what is wrong, what would be right.
 class StoreError : public std::runtime_error {
@@ -31,5 +32,8 @@ void write_results(const std::filesystem::path& file, const Results& results);
 /// The same for a single cell, as a process of the runner hands it to its parent.
 void write_cell(const std::filesystem::path& file, const CellRecord& cell);
 [[nodiscard]] CellRecord read_cell(const std::filesystem::path& file);
+
+/// Of the library that reads and writes them.
+[[nodiscard]] std::string hdf5_version();
 
 }  // namespace kappabench::store

@@ -38,7 +38,7 @@ struct CurveRecord {
   int samples_per_segment = 0;
   std::vector<int> node_point, node_segment;
   std::vector<double> node_t, node_x, node_y, node_s, node_kappa;
-  std::vector<int> node_pinned, node_at_inflection;  ///< 0 or 1
+  std::vector<std::string> node_marks;  ///< words that the scheme named, with blanks between
   std::vector<int> joint_segment;
   std::vector<std::string> joint_claimed;
   std::vector<double> joint_x, joint_y, joint_s;

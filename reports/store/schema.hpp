@@ -59,7 +59,7 @@ void describe_curve(Tree& tree, Curve& c) {
   tree.table("nodes", [&](auto& put) {
     put("point", c.node_point), put("segment", c.node_segment), put("t", c.node_t);
     put("x", c.node_x), put("y", c.node_y), put("s", c.node_s), put("kappa", c.node_kappa);
-    put("pinned", c.node_pinned), put("at_inflection", c.node_at_inflection);
+    put("marks", c.node_marks);
   });
   tree.table("joints", [&](auto& put) {
     put("segment", c.joint_segment), put("claimed", c.joint_claimed);

@@ -1,112 +1,105 @@
 #include "schemes/api/curve_json.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <ranges>
-#include <span>
+#include <variant>
 #include <vector>
 
 namespace kappabench {
 
 namespace {
 
-std::string quote(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
-std::string point(const Vec2& p) { return fmt::format("[{},{}]", number(p.x()), number(p.y())); }
+// A number that is not finite becomes null, any other the shortest text that reads back to the same bits.
+using Json = nlohmann::ordered_json;
 
-/// "[" items "]", each item written by `write`.
-template <class Items, class Write>
-std::string list(const Items& items, Write write) {
-  std::vector<std::string> texts;
-  for (const auto& item : items) texts.push_back(write(item));
-  return fmt::format("[{}]", fmt::join(texts, ","));
-}
+Json json_of(const Vec2& p) { return Json::array({p.x(), p.y()}); }
 
-std::string segment_json(const Segment& segment);
+Json json_of(const SegmentPtr& segment);
+Json json_of(const Node& node);
+Json json_of(const Joint& joint);
+
+/// The items as an array, each by its own json_of.
+template <class Item>
+Json json_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(json_of(item));
+  return list;
+}
 
 struct FormJson {
-  std::string operator()(const PolynomialForm& form) const {
-    return fmt::format(R"({{"type":"polynomial","control_points":{}}})", list(form.control_points, point));
+  Json operator()(const PolynomialForm& form) const {
+    return {{"type", "polynomial"}, {"control_points", json_of(form.control_points)}};
   }
-  std::string operator()(const TrigonometricForm& form) const {
-    return fmt::format(R"({{"type":"trigonometric","control_points":{}}})", list(form.control_points, point));
+  Json operator()(const TrigonometricForm& form) const {
+    Json points = Json::array();
+    for (const Vec2& p : form.control_points) points.push_back(json_of(p));
+    return {{"type", "trigonometric"}, {"control_points", points}};
   }
-  std::string operator()(const ClothoidForm& form) const {
-    return fmt::format(R"({{"type":"clothoid","start":{},"angle":{},"curvature":{},"curvature_rate":{},"length":{}}})",
-                       point(form.start), number(form.angle), number(form.curvature), number(form.curvature_rate),
-                       number(form.length));
+  Json operator()(const ClothoidForm& form) const {
+    return {{"type", "clothoid"},          {"start", json_of(form.start)},          {"angle", form.angle},
+            {"curvature", form.curvature}, {"curvature_rate", form.curvature_rate}, {"length", form.length}};
   }
-  std::string operator()(const IntrinsicForm& form) const {
-    return fmt::format(
-        R"({{"type":"intrinsic","start":{},"angle":{},"length":{},"degree":{},"knots":{},"control_curvatures":{}}})",
-        point(form.start), number(form.angle), number(form.length), form.degree, list(form.knots, number),
-        list(form.control_curvatures, number));
+  Json operator()(const IntrinsicForm& form) const {
+    return {{"type", "intrinsic"},
+            {"start", json_of(form.start)},
+            {"angle", form.angle},
+            {"length", form.length},
+            {"degree", form.degree},
+            {"knots", form.knots},
+            {"control_curvatures", form.control_curvatures}};
   }
-  std::string operator()(const BlendForm& form) const {
-    return fmt::format(R"({{"type":"blend","from":{},"to":{}}})", segment_json(*form.from), segment_json(*form.to));
+  Json operator()(const BlendForm& form) const {
+    return {{"type", "blend"}, {"from", json_of(form.from)}, {"to", json_of(form.to)}};
   }
-  std::string operator()(const EllipticArcForm& form) const {
-    return fmt::format(R"({{"type":"elliptic_arc","centre":{},"axis_a":{},"axis_b":{},"from":{},"to":{}}})",
-                       point(form.centre), point(form.axis_a), point(form.axis_b), number(form.from), number(form.to));
+  Json operator()(const EllipticArcForm& form) const {
+    return {{"type", "elliptic_arc"},
+            {"centre", json_of(form.centre)},
+            {"axis_a", json_of(form.axis_a)},
+            {"axis_b", json_of(form.axis_b)},
+            {"from", form.from},
+            {"to", form.to}};
   }
-  std::string operator()(const ReparametrizedForm& form) const {
-    return fmt::format(R"({{"type":"reparametrized","start_speed":{},"of":{}}})", number(form.start_speed),
-                       segment_json(*form.of));
+  Json operator()(const ReparametrizedForm& form) const {
+    return {{"type", "reparametrized"}, {"start_speed", form.start_speed}, {"of", json_of(form.of)}};
   }
-  std::string operator()(const OpaqueForm&) const { return R"({"type":"opaque"})"; }
+  Json operator()(const OpaqueForm&) const { return {{"type", "opaque"}}; }
 };
 
-std::string segment_json(const Segment& segment) { return std::visit(FormJson{}, segment.exact()); }
+Json json_of(const SegmentPtr& segment) { return std::visit(FormJson{}, segment->exact()); }
 
-std::string parameter_json(const ParameterValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return quote(*text);
-  if (const auto* real = std::get_if<double>(&value)) return number(*real);
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  return fmt::format("{}", std::get<long>(value));
+Json json_of(const Node& node) {
+  return {{"point", node.point}, {"segment", node.segment}, {"t", node.t}, {"marks", node.marks}};
 }
 
-std::string parameters_json(const Parameters& parameters) {
-  return fmt::format("{{{}}}", fmt::join(parameters.values() | std::views::transform([](const auto& entry) {
-                                           return fmt::format("{}:{}", quote(entry.first),
-                                                              parameter_json(entry.second));
-                                         }),
-                                         ","));
-}
+Json json_of(const Joint& joint) { return {{"segment", joint.segment}, {"claimed", name(joint.claimed)}}; }
 
-std::string counters_json(const std::map<std::string, long>& counters) {
-  std::vector<std::string> texts;
-  for (const auto& [name, value] : counters) texts.push_back(fmt::format("{}:{}", quote(name), value));
-  return fmt::format("{{{}}}", fmt::join(texts, ","));
-}
-
-std::string node_json(const Node& node) {
-  return fmt::format(R"({{"point":{},"segment":{},"t":{},"pinned":{},"at_inflection":{},"curvature_minimum":{}}})",
-                     node.point, node.segment, number(node.t), node.pinned, node.at_inflection, node.curvature_minimum);
-}
-
-std::string joint_json(const Joint& joint) {
-  return fmt::format(R"({{"segment":{},"claimed":{}}})", joint.segment, quote(name(joint.claimed)));
+Json json_of(const Parameters& parameters) {
+  Json object = Json::object();
+  for (const auto& entry : parameters.values())
+    std::visit([&](const auto& value) { object[entry.first] = value; }, entry.second);
+  return object;
 }
 
 }  // namespace
 
 std::string curve_json(const Scheme& scheme, const Fit& fit) {
-  const auto& report = fit.report;
-  const bool has_curve = fit.curve.has_value();
-  return fmt::format(
-      R"({{"format":"kappabench-curve","version":1,"scheme":{},"parameters":{},"closed":{},)"
-      R"("outcome":{},"message":{},"iterations":{},"residual":{},"seconds":{},"counters":{},)"
-      R"("segments":{},"nodes":{},"joints":{}}})",
-      quote(scheme.info().id), parameters_json(scheme.parameters()), fit.input.closed, quote(name(report.outcome)),
-      quote(report.message), report.iterations, number(report.residual), number(report.seconds),
-      counters_json(report.counters),
-      has_curve ? list(fit.curve->segments(), [](const SegmentPtr& segment) { return segment_json(*segment); }) : "[]",
-      has_curve ? list(fit.curve->nodes(), node_json) : "[]", has_curve ? list(fit.curve->joints(), joint_json) : "[]");
+  const Report& report = fit.report;
+  Json counters = Json::object();
+  for (const auto& [counter, value] : report.counters) counters[counter] = value;
+  const Json json{{"format", "kappabench-curve"},
+                  {"version", 1},
+                  {"scheme", scheme.info().id},
+                  {"parameters", json_of(scheme.parameters())},
+                  {"closed", fit.input.closed},
+                  {"outcome", name(report.outcome)},
+                  {"message", report.message},
+                  {"iterations", report.iterations},
+                  {"residual", report.residual},
+                  {"seconds", report.seconds},
+                  {"counters", counters},
+                  {"segments", fit.curve ? json_of(fit.curve->segments()) : Json::array()},
+                  {"nodes", fit.curve ? json_of(fit.curve->nodes()) : Json::array()},
+                  {"joints", fit.curve ? json_of(fit.curve->joints()) : Json::array()}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace kappabench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,21 @@ struct SchemeTraits {
   bool refit_is_fit = true;
 };
 
+/// A mark that a scheme may set on a node. A counter of the same name counts the nodes that have it.
+struct MarkSpec {
+  std::string name;
+  std::string help;
+};
+
 struct SchemeInfo {
   std::string id;
   std::string title;     ///< a few words
   std::string citation;  ///< authors, title, venue, year
   std::vector<ParameterSpec> parameters{};
   SchemeTraits traits{};
-  int version = 1;  ///< raise when results change: cells of older versions are recomputed
+  int version = 1;                ///< raise when results change: cells of older versions are recomputed
+  std::vector<MarkSpec> marks{};  ///< all that it may set on nodes
+  std::map<std::string, std::string> libraries{};  ///< those of its own that it computes with, and their versions
 };
 
 /// A way to turn points into a curve, with its parameters already chosen. Immutable; `fit` may be called

@@ -1,5 +1,6 @@
 #include "schemes/curve/curve.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +24,22 @@ std::string_view name(Continuity continuity) {
   throw std::logic_error("name(Continuity): not a value of the enumeration");
 }
 
+bool Node::has(std::string_view mark) const { return std::ranges::find(marks, mark) != marks.end(); }
+
+namespace {
+
+bool is_word(const std::string& mark) { return !mark.empty() && mark.find_first_of(" \t\r\n") == std::string::npos; }
+
+void put_in_order(std::vector<std::string>& marks) {
+  if (!std::ranges::all_of(marks, is_word))
+    throw std::invalid_argument("Curve: a node has a mark that is not one word; write it without blanks");
+  std::ranges::sort(marks);
+  const auto repeated = std::ranges::unique(marks);
+  marks.erase(repeated.begin(), repeated.end());
+}
+
+}  // namespace
+
 Curve::Curve(std::vector<SegmentPtr> segments, std::vector<Joint> joints, std::vector<Node> nodes, bool closed)
     : segments_(std::move(segments)), joints_(std::move(joints)), nodes_(std::move(nodes)), closed_(closed) {
   if (segments_.empty()) throw std::invalid_argument("Curve: no segments; at least one is needed");
@@ -31,8 +48,10 @@ Curve::Curve(std::vector<SegmentPtr> segments, std::vector<Joint> joints, std::v
   const auto exists = [this](int segment) { return segment >= 0 && segment < size(); };
   for (const Joint& joint : joints_)
     if (!exists(joint.segment)) throw std::invalid_argument("Curve: a joint names a segment that does not exist");
-  for (const Node& node : nodes_)
+  for (Node& node : nodes_) {
     if (!exists(node.segment)) throw std::invalid_argument("Curve: a node names a segment that does not exist");
+    put_in_order(node.marks);
+  }
 }
 
 CurveSamples sample(const Curve& curve, int per_segment, int order) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,20 +27,19 @@ struct Node {
   int point;
   int segment;
   double t;
-  /// The kappa family: the point sits at the end of its segment, so |kappa| has no two-sided peak there.
-  bool pinned = false;
-  /// The kappa family: the point is at an inflection, its own segment has shrunk to nothing and the node
-  /// is the joint of its neighbours.
-  bool at_inflection = false;
-  /// The trigonometric epsilon-kappa-curve: |kappa| is stationary at the point, but a minimum there.
-  bool curvature_minimum = false;
+  /// What the scheme says of the node: words without blanks, each once, in alphabetical order. SchemeInfo::marks says
+  /// what they mean.
+  std::vector<std::string> marks{};
+
+  [[nodiscard]] bool has(std::string_view mark) const;
 };
 
 /// An immutable planar curve: segments in order, the joints between them, and the nodes where it passes
 /// through the input points. Cheap to copy: segments are shared.
 class Curve {
  public:
-  /// Needs at least one segment; joints and nodes name existing segments. Throws std::invalid_argument.
+  /// Needs at least one segment; joints and nodes name existing segments, marks are words and are put in order. Throws
+  /// std::invalid_argument.
   /// A closed curve of n segments has n joints, an open one n - 1.
   Curve(std::vector<SegmentPtr> segments, std::vector<Joint> joints, std::vector<Node> nodes, bool closed);
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "schemes/fpc/marks.hpp"
 #include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 
@@ -46,14 +47,16 @@ class Assembly {
   }
 
   Assembled run() {
-    counters_ = {{"s_joints", 0}, {"shrunk", 0}};
+    counters_ = {{"s_joints", 0}, {std::string(marks::at_inflection), 0}};
     for (std::size_t k = 0; k < chain_.segments(); ++k) {
       if (gone_[k]) {
         // The node is the end of the segment before; of a closed curve's very first one, the start of the next.
         const int before = static_cast<int>(segments_.size()) - 1;
-        nodes_.push_back(
-            {.point = point_of(k), .segment = std::max(before, 0), .t = before < 0 ? 0.0 : 1.0, .at_inflection = true});
-        ++counters_["shrunk"];
+        nodes_.push_back({.point = point_of(k),
+                          .segment = std::max(before, 0),
+                          .t = before < 0 ? 0.0 : 1.0,
+                          .marks = {std::string(marks::at_inflection)}});
+        ++counters_[nodes_.back().marks.front()];
       } else {
         add_segment(k);
       }

@@ -11,7 +11,7 @@ namespace kappabench::fpc {
 
 struct Assembled {
   Curve curve;
-  std::map<std::string, long> counters;  ///< "s_joints", "shrunk"
+  std::map<std::string, long> counters;  ///< "s_joints", "at_inflection"
 };
 
 /// The curve of a state: a cubic Bézier segment for each point. Joints are claimed G2 where the curvature keeps its

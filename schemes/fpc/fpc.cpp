@@ -9,6 +9,7 @@
 #include "schemes/api/registry.hpp"
 #include "schemes/fpc/assemble.hpp"
 #include "schemes/fpc/condition.hpp"
+#include "schemes/fpc/marks.hpp"
 #include "schemes/fpc/published_iteration.hpp"
 #include "schemes/fpc/tasks.hpp"
 #include "schemes/fpc/windows.hpp"
@@ -84,7 +85,10 @@ SchemeInfo FpcScheme::describe() {
       .traits = {.continuity = Continuity::g2,
                  .continuity_exceptions = "where the curvature changes sign at a joint: G1 with equal |curvature|; "
                                           "cusps at points of that type",
-                 .reversal_invariant = false}};
+                 .reversal_invariant = false},
+      .marks = {{std::string(fpc::marks::at_inflection),
+                 "the point's own segment has shrunk to nothing at an inflection; the node is the joint of its "
+                 "neighbours"}}};
 }
 
 FpcScheme::FpcScheme(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "schemes/numerics/sine_cosine.hpp"
 #include "schemes/segments/intrinsic.hpp"
 #include "schemes/segments/spans.hpp"
 #include "schemes/segments/three_point_arcs.hpp"
@@ -67,7 +68,8 @@ SchemeInfo Intrinsic::describe() {
                       .default_value = std::string("clothoid"),
                       .help = "at a point: from the clothoids of both spans, or of the circle",
                       .choices = {"clothoid", "circle"}}},
-      .traits = {.fewest_open_points = 2, .continuity = Continuity::g2, .locality = 6, .hermite = true}};
+      .traits = {.fewest_open_points = 2, .continuity = Continuity::g2, .locality = 6, .hermite = true},
+      .libraries = {{"xsimd", xsimd_version()}}};
 }
 
 namespace {

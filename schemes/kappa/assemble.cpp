@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "schemes/kappa/marks.hpp"
 #include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
@@ -79,8 +81,8 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
   joint[0] = input.closed ? joint[m] : input.points.front();
   if (!input.closed) joint[m] = input.points.back();
 
-  std::map<std::string, long> counters{{"pinned", 0}, {"at_inflection", 0}, {"s_joints", 0}};
-  if (kind == SegmentKind::trigonometric) counters["curvature_minima"] = 0;
+  std::map<std::string, long> counters{{"s_joints", 0}};
+  for (const MarkSpec& mark : marks::of(kind)) counters[mark.name] = 0;
   std::vector<SegmentPtr> segments;
   std::vector<Joint> joints;
   std::vector<Node> nodes;
@@ -90,23 +92,23 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     if (gone[i]) {
       // The node is the end of the segment before; of a closed curve's very first one, the start of what follows.
       const int before = static_cast<int>(segments.size()) - 1;
-      nodes.push_back(
-          {.point = point_of(i), .segment = std::max(before, 0), .t = before < 0 ? 0.0 : 1.0, .at_inflection = true});
-      ++counters["at_inflection"];
+      nodes.push_back({.point = point_of(i),
+                       .segment = std::max(before, 0),
+                       .t = before < 0 ? 0.0 : 1.0,
+                       .marks = {std::string(marks::at_inflection)}});
       continue;
     }
     const bool pinned = form == Form::at_start || form == Form::at_end;
     const double t = form == Form::at_start ? 0.0 : form == Form::at_end ? last : stationary_parameter(chain, i, q[i]);
-    const bool minimum = kind == SegmentKind::trigonometric && !pinned && at_minimum(chain, i, state.e[i], q[i], t);
-    nodes.push_back({.point = point_of(i),
-                     .segment = static_cast<int>(segments.size()),
-                     .t = t / last,
-                     .pinned = pinned,
-                     .curvature_minimum = minimum});
-    counters["pinned"] += pinned;
-    if (kind == SegmentKind::trigonometric) counters["curvature_minima"] += minimum;
+    Node node{.point = point_of(i), .segment = static_cast<int>(segments.size()), .t = t / last};
+    if (pinned) node.marks.emplace_back(marks::pinned);
+    if (kind == SegmentKind::trigonometric && !pinned && at_minimum(chain, i, state.e[i], q[i], t))
+      node.marks.emplace_back(marks::curvature_minimum);
+    nodes.push_back(std::move(node));
     segments.push_back(make_segment(kind, chain.a[i], joint[i - 1], position(i) + state.e[i], joint[i]));
   }
+  for (const Node& node : nodes)
+    for (const std::string& mark : node.marks) ++counters[mark];
   const std::size_t count = pieces.size(), met = input.closed ? count : count - 1;
   for (std::size_t k = 0; k < met; ++k) {
     const std::size_t after = (k + 1) % count;

@@ -9,8 +9,7 @@
 
 namespace kappabench::kappa {
 
-/// A curve and what there is to count on it: "pinned", "at_inflection", "s_joints", for the trigonometric basis
-/// "curvature_minima".
+/// A curve and what there is to count on it: nodes by their marks (marks.hpp), and "s_joints".
 struct Assembled {
   Curve curve;
   std::map<std::string, long> counters;

@@ -4,6 +4,7 @@
 
 #include "schemes/api/registry.hpp"
 #include "schemes/kappa/family.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 namespace {
@@ -28,7 +29,8 @@ SchemeInfo EkappaTrigScheme::describe() {
               "Miura, Gobithaasan, Salvi, Wang, Sekine, Usuki, Inoguchi, Kajiwara, epsilon-kappa-curves: "
               "controlled local curvature extrema, The Visual Computer 38, 2022",
           .parameters = std::move(parameters),
-          .traits = kappa::family_traits()};
+          .traits = kappa::family_traits(),
+          .marks = kappa::marks::of(kappa::SegmentKind::trigonometric)};
 }
 
 EkappaTrigScheme::EkappaTrigScheme(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}

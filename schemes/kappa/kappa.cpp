@@ -4,6 +4,7 @@
 
 #include "schemes/api/registry.hpp"
 #include "schemes/kappa/family.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 
@@ -14,7 +15,8 @@ SchemeInfo KappaScheme::describe() {
               "Yan, Schiller, Wilensky, Carr, Schaefer, kappa-curves: interpolation at local maximum "
               "curvature, ACM TOG 36(4), 129, 2017",
           .parameters = kappa::iteration_parameters(),
-          .traits = kappa::family_traits()};
+          .traits = kappa::family_traits(),
+          .marks = kappa::marks::of(kappa::SegmentKind::quadratic)};
 }
 
 KappaScheme::KappaScheme(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}

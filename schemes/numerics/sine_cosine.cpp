@@ -1,5 +1,7 @@
 #include "schemes/numerics/sine_cosine.hpp"
 
+#include <fmt/format.h>
+
 #include "schemes/numerics/batch_sine_cosine.hpp"
 
 namespace kappabench {
@@ -20,6 +22,10 @@ void sine_cosine(Sines sines, std::span<const double> angle, std::span<double> s
   if (__builtin_cpu_supports("avx2")) return sine_cosine_avx2(angle, sine, cosine);
 #endif
   batch_sine_cosine<xsimd::default_arch>(angle, sine, cosine);
+}
+
+std::string xsimd_version() {
+  return fmt::format("{}.{}.{}", XSIMD_VERSION_MAJOR, XSIMD_VERSION_MINOR, XSIMD_VERSION_PATCH);
 }
 
 }  // namespace kappabench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 namespace kappabench {
 
@@ -10,5 +11,7 @@ enum class Sines { library, vectorised };
 
 /// The spans have equal length.
 void sine_cosine(Sines sines, std::span<const double> angle, std::span<double> sine, std::span<double> cosine);
+
+[[nodiscard]] std::string xsimd_version();
 
 }  // namespace kappabench

@@ -65,4 +65,6 @@ LastIterate run_ceres(FlatProblem& flat, const Eigen::VectorXd& start, const Min
   return last;
 }
 
+std::string version_of_ceres() { return CERES_VERSION_STRING; }
+
 }  // namespace kappabench::pkappa

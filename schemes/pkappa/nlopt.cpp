@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nlopt.hpp>
 
 #include <vector>
@@ -57,6 +58,10 @@ LastIterate run_nlopt(FlatProblem& flat, const Eigen::VectorXd& start, const Min
     // NLopt throws where rounding stops it; x is then the last iterate.
   }
   return {Eigen::Map<const Eigen::VectorXd>(x.data(), start.size()), problem.evaluations, converged};
+}
+
+std::string version_of_nlopt() {
+  return fmt::format("{}.{}.{}", nlopt::version_major(), nlopt::version_minor(), nlopt::version_bugfix());
 }
 
 }  // namespace kappabench::pkappa

@@ -205,7 +205,8 @@ SchemeInfo PkappaScheme::describe() {
           .traits = {.continuity = Continuity::c2,
                      .reversal_invariant = false,
                      .cyclic_shift_invariant = false,
-                     .refit_is_fit = false}};
+                     .refit_is_fit = false},
+          .libraries = pkappa::solver_libraries()};
 }
 
 PkappaScheme::PkappaScheme(const Parameters& parameters) : Scheme(adapt(describe(), parameters), parameters) {

@@ -14,6 +14,14 @@ std::vector<std::string> solver_names() {
   return names;
 }
 
+std::map<std::string, std::string> solver_libraries() {
+  std::map<std::string, std::string> libraries{{"ceres", version_of_ceres()}, {"nlopt", version_of_nlopt()}};
+#ifdef KAPPABENCH_WITH_IPOPT
+  libraries["ipopt"] = version_of_ipopt();
+#endif
+  return libraries;
+}
+
 Solver solver_named(std::string_view name) {
   if (name == "lm") return Solver::lm;
   if (name == "ceres") return Solver::ceres;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,8 @@ enum class Solver { lm, ceres, nlopt, ipopt };
 
 /// The solvers of this build: "lm", "ceres", "nlopt", and "ipopt" where it was found at configure time.
 [[nodiscard]] std::vector<std::string> solver_names();
+/// The libraries behind them, and their versions.
+[[nodiscard]] std::map<std::string, std::string> solver_libraries();
 [[nodiscard]] Solver solver_named(std::string_view name);
 
 struct MinimiseOptions {
@@ -36,7 +39,7 @@ struct Minimum {
 template <Continuity K>
 Minimum minimise(Solver solver, JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 
-/// The same by each solver; the declarations are for solver.cpp.
+/// The same by each solver, and its version; the declarations are for solver.cpp.
 template <Continuity K>
 Minimum minimise_lm(JointChain& chain, const QuadratureRule& rule, const MinimiseOptions& options);
 
@@ -49,5 +52,8 @@ struct LastIterate {
 [[nodiscard]] LastIterate run_ceres(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
 [[nodiscard]] LastIterate run_nlopt(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
 [[nodiscard]] LastIterate run_ipopt(FlatProblem& problem, const Eigen::VectorXd& start, const MinimiseOptions& options);
+[[nodiscard]] std::string version_of_ceres();
+[[nodiscard]] std::string version_of_nlopt();
+[[nodiscard]] std::string version_of_ipopt();
 
 }  // namespace kappabench::pkappa

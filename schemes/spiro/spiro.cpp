@@ -27,7 +27,8 @@ SchemeInfo Spiro::describe() {
       .citation =
           "Levien, From spiral to spline: optimal techniques in interactive curve design, PhD thesis, University of "
           "California, Berkeley, 2009",
-      .traits = {.fewest_open_points = 2, .continuity = Continuity::g2}};
+      .traits = {.fewest_open_points = 2, .continuity = Continuity::g2},
+      .libraries = {{"libspiro", LibSpiroVersion()}}};
 }
 
 Spiro::Spiro(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}

@@ -29,7 +29,7 @@ void for_all_fits(Check check) {
       for (std::size_t i = 0; i < drawing.curves.size(); ++i) {
         if (drawing.curves[i].points.size() > most_points) continue;
         INFO(info.id << " on " << drawing.id << ", curve " << i);
-        check(scheme->fit(drawing.curves[i]));
+        check(info, scheme->fit(drawing.curves[i]));
       }
   }
 }
@@ -99,13 +99,28 @@ void check_joints(const Fit& fit) {
   }
 }
 
+/// Nodes have marks that the scheme lists, and a counter named as a mark counts them.
+void check_marks(const SchemeInfo& info, const Fit& fit) {
+  if (!fit.curve) return;
+  for (const Node& node : fit.curve->nodes())
+    for (const std::string& mark : node.marks)
+      CHECK(std::ranges::find(info.marks, mark, &MarkSpec::name) != info.marks.end());
+  for (const MarkSpec& mark : info.marks) {
+    const auto counter = fit.report.counters.find(mark.name);
+    if (counter == fit.report.counters.end()) continue;
+    CHECK(counter->second ==
+          std::ranges::count_if(fit.curve->nodes(), [&](const Node& n) { return n.has(mark.name); }));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every fit has a sound outcome, passes its points and is as continuous as it claims") {
-  for_all_fits([](const Fit& fit) {
+  for_all_fits([](const SchemeInfo& info, const Fit& fit) {
     check_outcome(fit);
     check_interpolation(fit);
     check_joints(fit);
+    check_marks(info, fit);
   });
 }
 

@@ -1,8 +1,10 @@
 // The program as scripts call it: exit status, one line on stderr, formats.
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "schemes/curve/vec.hpp"
 #include "tests/catch.hpp"
@@ -48,7 +50,10 @@ TEST_CASE("fit prints the curve as kappabench-curve JSON that rebuilds it") {
   const Vec2 at =
       u * u * u * point(c[0]) + 3 * u * u * t * point(c[1]) + 3 * u * t * t * point(c[2]) + t * t * t * point(c[3]);
   CHECK((at - Vec2(4, -1)).norm() < 1e-12);
-  CHECK_THAT(ran.out, ContainsSubstring("0.80000000000000004"));
+  CHECK_THAT(ran.out, ContainsSubstring(R"("a":0.8,)"));  // the shortest digits that read back
+  CHECK(curve["version"].is_number_integer());
+  CHECK(node["point"].is_number_integer());
+  CHECK(node["marks"] == json::array());
 }
 
 TEST_CASE("the trigonometric scheme names the nodes where |curvature| has a minimum") {
@@ -57,9 +62,9 @@ TEST_CASE("the trigonometric scheme names the nodes where |curvature| has a mini
   write(folder.path() / "octagon.txt", "closed\n2 0\n1.4 1.4\n0 2\n-1.4 1.4\n-2 0\n-1.4 -1.4\n0 -2\n1.4 -1.4\n");
   const json curve = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.55").out);
   REQUIRE(curve["nodes"].size() == 8);
-  for (const json& node : curve["nodes"]) CHECK(node["curvature_minimum"] == true);
+  for (const json& node : curve["nodes"]) CHECK(node["marks"] == json::array({"curvature_minimum"}));
   const json sharp = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.8").out);
-  for (const json& node : sharp["nodes"]) CHECK(node["curvature_minimum"] == false);
+  for (const json& node : sharp["nodes"]) CHECK(node["marks"] == json::array());
 }
 
 TEST_CASE("a drawing of several curves is a JSON array, and '-' is standard input") {
@@ -134,6 +139,20 @@ TEST_CASE("a fit that did not converge prints its curve, marked, with exit statu
   const json curve = json::parse(ran.out);
   CHECK(curve["outcome"] == "not_converged");
   CHECK(curve["segments"].size() == 5);
+}
+
+TEST_CASE("list schemes --json says which marks a scheme may set on a node, and which libraries it needs") {
+  const ScratchFolder folder;
+  std::map<std::string, json> schemes;
+  for (const json& scheme : json::parse(run(folder, "list schemes --json").out)) schemes[scheme["id"]] = scheme;
+  std::vector<std::string> marks;
+  for (const json& mark : schemes.at("ekappa-trig").at("marks")) {
+    marks.push_back(mark.at("name"));
+    CHECK_FALSE(mark.at("help").get<std::string>().empty());
+  }
+  CHECK(marks == std::vector<std::string>{"pinned", "at_inflection", "curvature_minimum"});
+  CHECK(schemes.at("catmull-rom").at("marks") == json::array());
+  CHECK(schemes.at("pkappa").at("libraries").contains("ceres"));
 }
 
 TEST_CASE("list names schemes, datasets, metrics and experiments") {

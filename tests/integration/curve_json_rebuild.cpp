@@ -1,4 +1,8 @@
 // The JSON of a fit holds everything that is needed to draw its curve: segments built from it alone are the same.
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -76,4 +80,29 @@ TEST_CASE("segments rebuilt from the JSON of a fit are the fit's") {
   }
   CHECK(types ==
         std::set<std::string>{"blend", "clothoid", "elliptic_arc", "polynomial", "reparametrized", "trigonometric"});
+}
+
+TEST_CASE("numbers of the JSON read back bit for bit, and what is no number or no UTF-8 is still JSON") {
+  const SchemePtr tested = scheme("catmull-rom");
+  const double third = 1.0 / 3.0, tiny = 5e-324, next = std::nextafter(1.0, 2.0);
+  const std::vector<Vec2> controls{{third, tiny}, {next, -0.0}, {1e300, 123456789012345678.0}};
+  const Curve curve({std::make_shared<PolynomialSegment>(controls)}, {},
+                    {{.point = 0, .segment = 0, .t = third, .marks = {"second", "first", "second"}}}, false);
+  Fit fit{.input = {.points = {{0, 0}, {1, 0}, {2, 0}}, .closed = false}, .curve = curve};
+  fit.report.message = "\xff \"quoted\" \\";
+  fit.report.residual = std::numeric_limits<double>::quiet_NaN();
+  fit.report.counters["steps"] = 7;
+  const Json json = Json::parse(curve_json(*tested, fit));
+  const std::vector<Vec2> again = points(json["segments"][0]["control_points"]);
+  for (std::size_t i = 0; i < controls.size(); ++i)
+    for (int k = 0; k < 2; ++k)
+      CHECK(std::bit_cast<std::uint64_t>(again[i][k]) == std::bit_cast<std::uint64_t>(controls[i][k]));
+  CHECK(json["residual"].is_null());
+  CHECK(json["message"] == "\uFFFD \"quoted\" \\");
+  CHECK(json["iterations"].is_number_integer());
+  CHECK(json["counters"]["steps"].is_number_integer());
+  const Json node = json["nodes"][0];
+  CHECK(node.size() == 4);
+  CHECK(node["t"] == third);
+  CHECK(node["marks"] == Json::array({"first", "second"}));
 }

@@ -2,6 +2,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <thread>
 
 #include "experiments/program/scratch_folder.hpp"
@@ -27,8 +28,9 @@ CellJob job(std::string work, void (*compute)(const Uses&, store::CellRecord&)) 
   return {.dataset = "d", .label = "s", .uses = {.work = std::move(work)}, .compute = compute};
 }
 
-/// Timings are the one thing that differs from run to run.
+/// When and how long are what differs from run to run, and by which command.
 store::Results without_timings(store::Results results) {
+  for (const char* key : {"date", "command"}) results.provenance.erase(key);
   for (auto& experiment : results.experiments) {
     std::erase_if(experiment.tables, [](const auto& table) { return table.id == "profile-seconds"; });
     for (auto& cell : experiment.cells) {
@@ -58,6 +60,29 @@ TEST_CASE("plans read back as they are written, and complain with file and line"
                     ContainsSubstring("p.toml:3: unknown key 'name'; known are id, schemes, datasets, metrics"));
   CHECK_THROWS_WITH(parse_plan("seed = \n", "p.toml"), ContainsSubstring("p.toml:1"));
   CHECK_THROWS_WITH(parse_plan("", "p.toml"), ContainsSubstring("[[experiment]]"));
+}
+
+TEST_CASE("a results file says when, where, by which command and with which libraries it was made") {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "r.h5";
+  (void)run(all_schemes(), small_plan, {.results = file, .processes = 2});
+  const auto provenance = store::read_results(file).provenance;
+  for (const char* key : {"date",  "command", "commit",        "dirty",        "compiler",         "flags", "os",
+                          "cpu",   "threads", "seed",          "plan",         "c_library",        "eigen", "boost",
+                          "fmt",   "cli11",   "nlohmann_json", "tomlplusplus", "google_benchmark", "hdf5",  "freetype",
+                          "ceres", "nlopt",   "xsimd"}) {
+    INFO(key);
+    REQUIRE(provenance.contains(key));
+    CHECK_FALSE(provenance.at(key).empty());
+  }
+  for (const auto& [key, text] : provenance) {
+    INFO(key);
+    CHECK_FALSE(text.empty());
+  }
+  for (const SchemeInfo& scheme : all_schemes().list())
+    for (const auto& [library, version] : scheme.libraries) CHECK(provenance.at(library) == version);
+  CHECK(std::regex_match(provenance.at("date"), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")));
+  CHECK_THAT(provenance.at("command"), ContainsSubstring("tests_integration"));
 }
 
 TEST_CASE("shards join to the same data as one run, and so does a run on one process") {

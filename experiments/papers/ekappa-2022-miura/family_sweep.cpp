@@ -14,6 +14,7 @@
 #include "datasets/random_points.hpp"
 #include "experiments/study/jobs.hpp"
 #include "experiments/study/selection.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench::miura {
 
@@ -58,11 +59,11 @@ void count_nodes(Counts& counts, const Input& input, const Curve& curve) {
     // The ends of an open curve have no segment of their own.
     if (!input.closed && (node.point == 0 || node.point == input.size() - 1)) continue;
     count(counts, points);
-    count(counts, pinned, node.pinned);
-    count(counts, at_inflection, node.at_inflection);
-    count(counts, minima, node.curvature_minimum);
-    if (node.at_inflection) continue;
-    if (node.pinned) {
+    count(counts, pinned, node.has(kappa::marks::pinned));
+    count(counts, at_inflection, node.has(kappa::marks::at_inflection));
+    count(counts, minima, node.has(kappa::marks::curvature_minimum));
+    if (node.has(kappa::marks::at_inflection)) continue;
+    if (node.has(kappa::marks::pinned)) {
       count(counts, pinned_peaks, curvature_across(curve, node, 1e-3) == AtPoint::peak);
       continue;
     }

@@ -12,6 +12,7 @@
 #include "experiments/study/selection.hpp"
 #include "metrics/correspondence.hpp"
 #include "metrics/curvature_profile.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 namespace {
@@ -70,7 +71,8 @@ void measure_segments(const Fit& fit, const Shape& shape, Notes& notes) {
     const Vec2 here = curve.segment(k).jet(node->t, 0).position();
     const bool peaks_here =
         std::ranges::any_of(peaks, [&](const Vec2& p) { return (p - here).norm() <= 1e-6 * chord; });
-    notes.row({shape_key(shape.words)}, {at_maximum(peaks_here ? 1 : 0), pinned(node->pinned ? 1 : 0)});
+    notes.row({shape_key(shape.words)},
+              {at_maximum(peaks_here ? 1 : 0), pinned(node->has(kappa::marks::pinned) ? 1 : 0)});
   }
 }
 
@@ -97,7 +99,7 @@ void measure_curvatures(const Fit& fit, const Shape& shape, int number, Notes& n
   const double chord = mean_chord(fit.input);
   for (const Node& node : inner_nodes(fit))
     notes.row({curve_key(number), point_key(node.point), shape_key(shape.words)},
-              {at_point(chord * curvature_at(curve, node)), pinned_there(node.pinned ? 1 : 0)});
+              {at_point(chord * curvature_at(curve, node)), pinned_there(node.has(kappa::marks::pinned) ? 1 : 0)});
   for (const Joint& joint : curve.joints())
     notes.row({curve_key(number), joint_key(joint.segment), shape_key(shape.words)},
               {at_joint(chord * std::abs(curvature(curve.segment(joint.segment).jet(1.0, 2))))});

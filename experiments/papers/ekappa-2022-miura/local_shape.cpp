@@ -11,6 +11,7 @@
 #include "experiments/study/experiment.hpp"
 #include "experiments/study/jobs.hpp"
 #include "experiments/study/selection.hpp"
+#include "schemes/kappa/marks.hpp"
 
 namespace kappabench {
 namespace {
@@ -70,8 +71,11 @@ void measure_raising(const Uses& uses, const Input& input, Notes& notes) {
       if (!study::solved(fit)) continue;
       for (const int point : raised) {
         const Node *before = node_of(*plain.curve, point), *after = node_of(*fit.curve, point);
-        if (before == nullptr || after == nullptr || before->at_inflection || after->at_inflection) continue;
-        notes.row({raised_points(count), in_kappa_curve(before->pinned ? pinned : inside), point_key(point)},
+        if (before == nullptr || after == nullptr || before->has(kappa::marks::at_inflection) ||
+            after->has(kappa::marks::at_inflection))
+          continue;
+        notes.row({raised_points(count), in_kappa_curve(before->has(kappa::marks::pinned) ? pinned : inside),
+                   point_key(point)},
                   {ratio(curvature_at(*fit.curve, *after) / curvature_at(*plain.curve, *before))});
       }
     }

@@ -12,6 +12,7 @@
 #include "metrics/self_intersection.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/curve/exact_form.hpp"
+#include "schemes/fpc/marks.hpp"
 
 namespace kappabench::chen {
 namespace {
@@ -87,7 +88,8 @@ class Checker {
   /// The point of this type on segment k at the place; notes that its feature is there. False if there is none.
   bool claim(int k, const Vec2& place, PointType type) {
     for (const Node& node : fit_.curve->nodes()) {
-      if (node.segment != k || node.at_inflection || fit_.input.options_of(node.point).type != type) continue;
+      if (node.segment != k || node.has(fpc::marks::at_inflection) || fit_.input.options_of(node.point).type != type)
+        continue;
       const auto point = static_cast<std::size_t>(node.point);
       if ((fit_.input.points[point] - place).norm() > close_) continue;
       found_[point] = true;

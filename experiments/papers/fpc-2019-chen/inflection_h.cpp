@@ -12,6 +12,7 @@
 #include "experiments/study/jobs.hpp"
 #include "schemes/curve/arc_length.hpp"
 #include "schemes/fpc/condition.hpp"
+#include "schemes/fpc/marks.hpp"
 #include "schemes/fpc/tasks.hpp"
 
 namespace kappabench {
@@ -53,7 +54,7 @@ std::optional<Bend> bend_with(const Scheme& scheme, Input input, int i, double h
   const Fit fit = scheme.fit(input);
   if (!study::solved(fit)) return std::nullopt;
   const std::vector<Node> nodes = nodes_of(*fit.curve, i);
-  if (nodes.size() != 1 || nodes[0].at_inflection) return std::nullopt;
+  if (nodes.size() != 1 || nodes[0].has(fpc::marks::at_inflection)) return std::nullopt;
   const Segment& segment = fit.curve->segment(nodes[0].segment);
   return Bend{curvature(segment.jet(0.5 * nodes[0].t, 2)) > 0.0, arc_length(segment, 0.0, 1.0) / mean_chord(input)};
 }

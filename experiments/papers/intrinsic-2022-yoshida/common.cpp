@@ -158,8 +158,8 @@ void add_mark(store::CurveRecord& mark, double s, double kappa) {
   for (std::vector<double>* none : {&mark.sample_x, &mark.sample_y, &mark.sample_normal_x, &mark.sample_normal_y,
                                     &mark.node_x, &mark.node_y, &mark.node_t})
     none->push_back(std::nan(""));
-  for (std::vector<int>* none : {&mark.node_point, &mark.node_segment, &mark.node_pinned, &mark.node_at_inflection})
-    none->push_back(0);
+  for (std::vector<int>* none : {&mark.node_point, &mark.node_segment}) none->push_back(0);
+  mark.node_marks.emplace_back();
 }
 
 /// The polygon of control curvatures of one piece, from arc length `start` on.

@@ -121,4 +121,6 @@ LastIterate run_ipopt(FlatProblem& flat, const Eigen::VectorXd& start, const Min
   return {problem->last(), iterations, status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level};
 }
 
+std::string version_of_ipopt() { return IPOPT_VERSION; }
+
 }  // namespace kappabench::pkappa

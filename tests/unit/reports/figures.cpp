@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -125,6 +126,21 @@ TEST_CASE("Teeth are proportional to curvature and stand on the outer side") {
   CHECK(x * dx + y * dy > 0);  // outwards, where the curve bends around the origin
 }
 
+TEST_CASE("Nodes with the marks pinned and at_inflection are drawn, other marks are not") {
+  auto from = experiment();
+  auto& curve = from.cells[0].curves[0];
+  const auto panel = panel_of("curve", {0});
+  const auto drawn = one_panel(panel, from);
+  for (const char* what : {"pinned node", "node at an inflection"}) {
+    CHECK(has(drawn.script, what));
+    CHECK(has(drawn.data.at("own.dat"), std::string("# ") + what + ": x y"));
+  }
+  for (std::string& marks : curve.node_marks) marks = "unpinned curvature_minimum pinned_not";
+  const auto plain = one_panel(panel, from);
+  CHECK_FALSE(has(plain.script, "pinned node"));
+  CHECK_FALSE(has(plain.script, "node at an inflection"));
+}
+
 TEST_CASE("Convergence is logarithmic with a floor") {
   const auto files = one_panel(panel_of("convergence", {0}), experiment());
   CHECK(has(files.script, "set logscale y"));
@@ -213,4 +229,7 @@ TEST_CASE("gnuplot's complaints and absence are told") {
   const auto bad = run_gnuplot(folder.path(), "bad.gp");
   CHECK(bad.installed);
   CHECK(has(bad.problem, "bad.gp"));
+  CHECK(gnuplot_version(folder.path()).find('.') != std::string::npos);
+  CHECK(gnuplot_version(folder.path(), "no-such-gnuplot").empty());
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);  // bad.gp alone
 }

@@ -66,6 +66,7 @@ TEST_CASE("A report holds every table, figure and claim, and no link is broken")
   const std::string html = read_text(folder.path() / "index.html");
   const bool drawn = run_gnuplot(folder.path(), "/dev/null").installed;
   CHECK(warnings.empty() == drawn);
+  CHECK(has(html, "gnuplot, of the figures") == drawn);
   for (const auto& experiment : results.experiments) {
     CHECK(has(html, html_escaped(experiment.title)));
     for (const auto& table : experiment.tables) {

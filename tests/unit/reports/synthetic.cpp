@@ -60,8 +60,7 @@ CurveRecord sampled(const Formula& at, double from, double to, int segments, boo
     curve.node_y.push_back(curve.sample_y[middle]);
     curve.node_s.push_back(curve.sample_s[middle]);
     curve.node_kappa.push_back(curve.sample_kappa[middle]);
-    curve.node_pinned.push_back(segment == 1 ? 1 : 0);
-    curve.node_at_inflection.push_back(segment == 2 ? 1 : 0);
+    curve.node_marks.emplace_back(segment == 1 ? "pinned" : segment == 2 ? "at_inflection curvature_minimum" : "");
     if (segment + 1 < segments || closed) {
       curve.joint_segment.push_back(segment);
       curve.joint_claimed.push_back("G2");

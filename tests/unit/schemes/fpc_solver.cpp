@@ -275,7 +275,7 @@ TEST_CASE("fpc: a cusp at the centre of an S shrinks to its point") {
   for (std::size_t i = 1; i < 4; ++i) input.options[i].type = PointType::cusp;
   const Fit result = fit("fpc", input);
   REQUIRE(result.report.outcome == Outcome::converged);
-  CHECK(result.report.counters.at("shrunk") == 1);
+  CHECK(result.report.counters.at("at_inflection") == 1);
   CHECK(result.curve->size() == 2);
   CHECK(largest_miss(result) < 1e-12);
   CHECK(mismatch_of(*result.curve).angle < 1e-6);

@@ -2,12 +2,17 @@
 #include <array>
 #include <boost/math/differentiation/autodiff.hpp>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "schemes/curve/arc_length.hpp"
+#include "schemes/curve/curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
 #include "tests/catch.hpp"
@@ -148,4 +153,18 @@ TEST_CASE("batches agree with single jets") {
 TEST_CASE("polynomial segments have degree 1 to 5") {
   CHECK_THROWS_AS(PolynomialSegment(std::vector<Vec2>(1, Vec2::Zero())), std::invalid_argument);
   CHECK_THROWS_AS(PolynomialSegment(std::vector<Vec2>(7, Vec2::Zero())), std::invalid_argument);
+}
+
+TEST_CASE("a curve puts the marks of its nodes in order and takes words only") {
+  const auto with = [](std::vector<std::string> marks) {
+    return Curve({std::make_shared<PolynomialSegment>(std::vector<Vec2>{{0, 0}, {1, 0}})}, {},
+                 {{.point = 0, .segment = 0, .t = 0.0, .marks = std::move(marks)}}, false);
+  };
+  const Curve curve = with({"pinned", "flat", "pinned"});
+  const Node& node = curve.nodes().front();
+  CHECK(node.marks == std::vector<std::string>{"flat", "pinned"});
+  CHECK(node.has("flat"));
+  CHECK_FALSE(node.has("pin"));
+  CHECK_THROWS_AS(with({"two words"}), std::invalid_argument);
+  CHECK_THROWS_AS(with({""}), std::invalid_argument);
 }
