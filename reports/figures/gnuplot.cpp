@@ -60,6 +60,8 @@ Rendering run_gnuplot(const std::filesystem::path& folder, const std::string& sc
   pid_t child = 0;
   const int refused = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
+  std::error_code ignored;
+  if (refused != 0) std::filesystem::remove(log, ignored);
   if (refused == ENOENT) {
     return {false, fmt::format("'{}' is not installed: install the package gnuplot", program)};
   }
@@ -67,7 +69,6 @@ Rendering run_gnuplot(const std::filesystem::path& folder, const std::string& sc
   int status = 0;
   const bool ended = wait_for(child, status);
   const std::string said = first_line_said(log);
-  std::error_code ignored;
   std::filesystem::remove(log, ignored);
   if (!ended) return {true, fmt::format("{}: {} stopped after {} s", script, program, time_limit.count())};
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127 && said.empty())
