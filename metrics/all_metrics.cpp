@@ -11,6 +11,7 @@
 #include "metrics/monotone_intervals.hpp"
 #include "metrics/parabola_energy.hpp"
 #include "metrics/statistics.hpp"
+#include "schemes/api/frame.hpp"
 
 namespace kappabench {
 namespace {
@@ -27,19 +28,28 @@ bool measurable(const Fit& fit) {
   return finite && has_length;
 }
 
+Fit placed(const Fit& fit, const Placement& placement) {
+  return {place(fit.input, placement), place(*fit.curve, placement), fit.report};
+}
+
 }  // namespace
 
 Metric guarded(Metric metric) {
-  metric.measure = [id = metric.id, measure = metric.measure, columns = metric.columns](const Scheme& scheme,
-                                                                                        const Fit& fit) {
+  metric.measure = [inner = metric](const Scheme& scheme, const Fit& fit) {
+    // A scheme that is not similarity invariant is asked to fit again where the drawing lies.
+    const bool in_frame = inner.in_frame && (!inner.refits || scheme.info().traits.similarity_invariant);
+    const Placement frame = fit.curve ? frame_of(fit.input) : Placement{};
+    const Fit local = frame.is_identity() ? fit : placed(fit, frame.inverse());
     std::vector<Measurement> row;
-    if (!measurable(fit)) {
-      for (const Column& column : columns) row.push_back(column(undefined, Method::sampled));
+    if (!measurable(local)) {
+      for (const Column& column : inner.columns) row.push_back(column(undefined, Method::sampled));
       return row;
     }
-    row = measure(scheme, fit);
-    if (!std::ranges::equal(row, columns, {}, &Measurement::column, &Column::name))
-      throw std::logic_error("metric " + id + " does not give the columns that it declares, in their order");
+    row = inner.measure(scheme, in_frame ? local : fit);
+    if (!std::ranges::equal(row, inner.columns, {}, &Measurement::column, &Column::name))
+      throw std::logic_error("metric " + inner.id + " does not give the columns that it declares, in their order");
+    for (Measurement& number : row)
+      if (in_frame && number.unit == "1/length") number.value /= frame.scale;
     return row;
   };
   return metric;

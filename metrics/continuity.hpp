@@ -40,17 +40,15 @@ struct JointJump {
   double angle;                  ///< between the tangents, radians, 0 to pi
   double curvature;              ///< |k1 - k0| / max(|k0|, |k1|, 1 / length of the curve), 0 to 2
   double curvature_magnitude;    ///< the same for |k|
-  double curvature_uncertainty;  ///< how much of the above two rounding of the coordinates alone can cause
+  double curvature_uncertainty;  ///< how much of the above two rounding of the coordinates alone explains
   double first_derivative;
   double second_derivative;
   bool over_length;  ///< the jumps of curvature are relative to 1 / length: as good as that quadrature, not exact
-
-  /// Does it meet what is claimed? gap <= 1e-9, angle <= 1e-7 rad, relative jumps of curvature and of
-  /// derivatives <= 1e-6, each plus the uncertainty from the rounding of coordinates.
-  [[nodiscard]] bool meets_claim() const;
+  bool meets_claim;  ///< judged as every fit is (schemes/curve/joint.hpp)
 };
 
-[[nodiscard]] std::vector<JointJump> joint_jumps(const Curve& curve, double mean_chord);
+/// At every joint of a curve through the points of `input`.
+[[nodiscard]] std::vector<JointJump> joint_jumps(const Curve& curve, const Input& input);
 
 /// Largest jumps over all joints, by what was claimed, and the number of joints that miss their claim.
 [[nodiscard]] Metric continuity_metric();

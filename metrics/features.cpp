@@ -7,8 +7,8 @@
 #include "metrics/node_pieces.hpp"
 #include "metrics/self_intersection.hpp"
 #include "metrics/statistics.hpp"
-#include "metrics/tangents.hpp"
 #include "schemes/curve/exact_curvature.hpp"
+#include "schemes/curve/tangents.hpp"
 
 namespace kappabench {
 namespace {

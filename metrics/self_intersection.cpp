@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "metrics/arc_samples.hpp"
-#include "metrics/tangents.hpp"
 #include "schemes/curve/exact_curvature.hpp"
+#include "schemes/curve/tangents.hpp"
 
 namespace kappabench {
 namespace {

@@ -216,15 +216,19 @@ std::string outcome_summary(const ExperimentRecord& experiment) {
 std::string failures_section(const ExperimentRecord& experiment) {
   std::string rows;
   for (const auto& made : experiment.cells) {
-    if (made.outcome == "converged") continue;
+    std::string outcome = made.outcome;
+    for (const auto& curve : made.curves)
+      for (const auto& warning : curve.warnings)
+        if (outcome.find(warning.first) == std::string::npos) outcome += ", " + warning.first;
+    if (outcome == "converged") continue;
     std::string message = made.message;
     for (std::size_t i = 0; message.empty() && i < made.curves.size(); ++i) message = made.curves[i].message;
     rows += fmt::format("<tr>{}{}{}{}</tr>\n", cell(made.dataset),
                         cell(made.label.empty() ? made.scheme + " " + made.parameters : made.label),
-                        cell(spaced(made.outcome)), cell(message));
+                        cell(spaced(outcome)), cell(message));
   }
   if (rows.empty()) return "";
-  return "<h3>Cells that did not converge</h3>\n<div class=\"scroll\"><table>\n" +
+  return "<h3>Cells that did not converge, or are wild</h3>\n<div class=\"scroll\"><table>\n" +
          row_of_heads({"drawing", "scheme", "outcome", "message"}) + rows + "</table></div>\n";
 }
 

@@ -26,7 +26,7 @@ std::vector<Column> columns_of(const Findings& found) {
 
 /// What a scheme did over all curves.
 struct Totals {
-  int curves = 0, converged = 0, not_converged = 0, unsupported = 0, lost = 0;
+  int curves = 0, converged = 0, not_converged = 0, unsupported = 0, lost = 0, wild = 0;
   long pinned = 0, at_inflection = 0;
   std::size_t points = 0;
   std::vector<double> iterations{};
@@ -41,6 +41,7 @@ struct Totals {
        : curve.outcome == name(Outcome::not_converged) ? not_converged
                                                        : lost);
     if (unsupported_here) return;
+    wild += curve.warnings.empty() ? 0 : 1;
     pinned += counted(curve, "pinned");
     at_inflection += counted(curve, "at_inflection");
     iterations.push_back(curve.iterations);
@@ -66,7 +67,13 @@ std::vector<std::pair<std::string, Totals>> totals_by_scheme(const Findings& fou
 Table curve_table(const Findings& found) {
   Table table(std::string(compare_table_id), "Every curve, every scheme",
               "One row a curve and scheme. The methods (exact, enclosed, sampled) are in the results file.");
-  table.words("dataset").counts("curve").words("scheme").counts("points").words("outcome").counts("iterations");
+  table.words("dataset")
+      .counts("curve")
+      .words("scheme")
+      .counts("points")
+      .words("outcome")
+      .words("warnings")
+      .counts("iterations");
   table.numbers("residual").counts("pinned").counts("at_inflection");
   const std::vector<Column> columns = columns_of(found);
   for (const Column& column : columns) table.numbers(column.name, column.unit);
@@ -78,6 +85,7 @@ Table curve_table(const Findings& found) {
                                   cell.label,
                                   curve.point_x.size(),
                                   curve.outcome,
+                                  store::warning_words(curve),
                                   curve.iterations,
                                   curve.residual,
                                   counted(curve, "pinned"),
@@ -93,12 +101,17 @@ Table scheme_table(const Findings& found) {
               "Counts of curves by outcome and of points that are pinned or at an inflection; medians over the curves "
               "that have the metric.");
   table.words("scheme").counts("curves").counts("converged").counts("not converged").counts("unsupported");
-  table.counts("lost").counts("points").counts("pinned").counts("at_inflection").numbers("median iterations");
+  table.counts("lost")
+      .counts("with warnings")
+      .counts("points")
+      .counts("pinned")
+      .counts("at_inflection")
+      .numbers("median iterations");
   const std::vector<Column> columns = columns_of(found);
   for (const Column& column : columns) table.numbers("median " + column.name, column.unit);
   for (auto& [label, of] : totals_by_scheme(found, columns)) {
-    std::vector<TableValue> row{label,   of.curves, of.converged, of.not_converged, of.unsupported,
-                                of.lost, of.points, of.pinned,    of.at_inflection, median(of.iterations)};
+    std::vector<TableValue> row{label,   of.curves, of.converged, of.not_converged, of.unsupported,       of.lost,
+                                of.wild, of.points, of.pinned,    of.at_inflection, median(of.iterations)};
     for (const Column& column : columns) row.emplace_back(median(of.values[column.name]));
     table.row(row);
   }

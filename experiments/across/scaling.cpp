@@ -13,6 +13,9 @@
 #include "experiments/study/jobs.hpp"
 #include "experiments/study/selection.hpp"
 #include "experiments/study/timing.hpp"
+#include "schemes/api/frame.hpp"
+#include "schemes/api/soundness.hpp"
+#include "schemes/api/warnings.hpp"
 
 namespace kappabench {
 namespace {
@@ -21,7 +24,8 @@ using study::Findings, study::Notes, study::Panel, study::Quantity, study::Table
 
 constexpr std::string_view about =
     "Every scheme with its default parameters on closed random stars of growing size: processor time of a cold fit, "
-    "time of an evaluated jet (position and two derivatives), and by how much the resident set of the cell's own "
+    "time of an evaluated jet (position and two derivatives), the part of a fit in which the framework holds the curve "
+    "against its claims and looks for wild spans, and by how much the resident set of the cell's own "
     "process grew during the fit. The exponent of growth is the slope of a least-squares line through the logarithms "
     "of the medians from 100 points on, with its 95 % interval (Student's t). Raw samples are in the results file. A "
     "size is not tried when the fit of a tenth of the points says that it would take more than two seconds; sizes "
@@ -81,6 +85,15 @@ class JetWork {
   std::vector<SegmentPtr> segments_;
 };
 
+/// What Scheme::fit does besides the scheme's own work: frame, soundness, warnings.
+void check_all(const Fits& fits) {
+  for (const Fit& fit : fits.fits) {
+    if (!fit.curve || !frame_of(fit.input).is_identity()) continue;
+    (void)unsoundness(*fit.curve, fit.input, resolution_of(fit.input));
+    (void)warnings_of(*fit.curve);
+  }
+}
+
 /// What the first fit says; an unsolved curve is no obstacle to timing. The most iterations.
 int report(store::CellRecord& cell, const Fits& first) {
   int most = 0;
@@ -121,8 +134,8 @@ void measure(const Uses& uses, Notes& notes) {
     cell.timings = time_all(std::span(&work, 1), {.repetitions = repetitions, .least_seconds = cell_budget / 10.0});
   }
   JetWork jets(first);
-  const TimedWork work{"jet", [&jets] { jets.run(); }};
-  auto samples = time_all(std::span(&work, 1), {.repetitions = 5, .least_seconds = 0.002});
+  const std::array works{TimedWork{"jet", [&jets] { jets.run(); }}, TimedWork{"check", [&first] { check_all(first); }}};
+  auto samples = time_all(works, {.repetitions = 5, .least_seconds = 0.002});
   for (double& seconds : samples["jet"]) seconds /= jets.count();
   cell.timings.merge(samples);
 }
@@ -135,8 +148,9 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   const auto add = [&](std::vector<Drawing> drawings) {
     for (const SchemePtr& scheme : schemes)
-      jobs.push_back(study::numbers_job<measure>({.work = "scaling", .schemes = {scheme}, .drawings = drawings},
-                                                 drawings.front().id, label_of(*scheme)));
+      jobs.push_back(
+          study::numbers_job<measure>({.work = "scaling", .version = 2, .schemes = {scheme}, .drawings = drawings},
+                                      drawings.front().id, label_of(*scheme)));
   };
   for (const std::string& dataset : context.datasets)
     for (const Drawing& drawing : open_drawings(dataset)) add({drawing, small});
@@ -153,7 +167,7 @@ struct Timed {
   std::string label, outcome;
   double points, iterations, memory;
   std::vector<double> fits;
-  double fit, jet;  ///< medians
+  double fit, jet, check;  ///< medians
 };
 
 std::vector<Timed> timed(const Findings& found) {
@@ -172,7 +186,8 @@ std::vector<Timed> timed(const Findings& found) {
                    .memory = rows.largest(memory),
                    .fits = fits,
                    .fit = median(fits),
-                   .jet = median(samples("jet"))});
+                   .jet = median(samples("jet")),
+                   .check = median(samples("check"))});
   }
   return all;
 }
@@ -182,11 +197,11 @@ Table cell_table(const std::vector<Timed>& cells) {
               "Medians over the samples of each cell; spread: quotient of the largest and least sample.");
   table.words("scheme").counts("points").words("outcome").counts("iterations").counts("samples");
   table.numbers("fit", "s").numbers("spread").numbers("fit a point", "s").numbers("jet", "s");
-  table.numbers("memory", "B").numbers("memory a point", "B");
+  table.numbers("check over fit").numbers("memory", "B").numbers("memory a point", "B");
   for (const Timed& c : cells) {
     const double spread = c.fits.empty() ? undefined : std::ranges::max(c.fits) / std::ranges::min(c.fits);
     table.row({c.label, c.points, c.outcome, c.iterations, c.fits.size(), c.fit, spread, c.fit / c.points, c.jet,
-               c.memory, c.memory / c.points});
+               c.check / c.fit, c.memory, c.memory / c.points});
   }
   return table;
 }

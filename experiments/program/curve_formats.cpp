@@ -41,12 +41,19 @@ std::string csv(const std::vector<Fit>& fits) {
   return text;
 }
 
+/// "converged", "converged, long_span", ...
+std::string outcome_words(const Report& report) {
+  std::string words{name(report.outcome)};
+  for (const auto& warning : report.warnings) words += ", " + warning.first;
+  return words;
+}
+
 std::string xy(const std::vector<Fit>& fits) {
   std::string text;
   for (const Fit& fit : fits) {
     if (!fit.curve) continue;
     if (!text.empty()) text += "\n";
-    text += fmt::format("# {}\n", name(fit.report.outcome));
+    text += fmt::format("# {}\n", outcome_words(fit.report));
     const CurveSamples samples = sample(*fit.curve, samples_per_segment, 0);
     for (int k = 0; k < fit.curve->size(); ++k)
       for (const Jet& jet : samples.of_segment(k).subspan(k == 0 ? 0 : 1))
@@ -103,7 +110,7 @@ std::string svg(const std::vector<Fit>& fits) {
                           "\n",
                           path, fit.curve->closed() ? " Z" : "", converged ? "#0072b2" : "#d55e00",
                           converged ? "" : fmt::format(R"( stroke-dasharray="{}")", 4.0 * stroke),
-                          name(fit.report.outcome));
+                          outcome_words(fit.report));
     }
     for (const Vec2& p : fit.input.points)
       text += fmt::format(R"(<circle cx="{}" cy="{}" r="{}" fill="black"/>)"

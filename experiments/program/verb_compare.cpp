@@ -48,10 +48,11 @@ std::string table_json(const store::TableRecord& table) {
 
 /// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.
 store::TableRecord narrow(store::TableRecord table) {
-  constexpr std::array<std::string_view, 10> headline{"dataset",
+  constexpr std::array<std::string_view, 11> headline{"dataset",
                                                       "curve",
                                                       "scheme",
                                                       "outcome",
+                                                      "warnings",
                                                       "iterations",
                                                       "residual",
                                                       "pinned",

@@ -25,6 +25,11 @@ ExitStatus judge(std::string_view input, const std::vector<Fit>& fits) {
         found->report.message.empty() ? fmt::format("residual {:.2g}", found->report.residual) : found->report.message;
     fmt::print(stderr, "kappabench: {}: {}: {}\n", where, name(found->report.outcome), why);
   };
+  const auto wild = std::ranges::find_if(
+      fits, [](const Fit& f) { return f.report.outcome == Outcome::converged && !f.report.warnings.empty(); });
+  if (wild != fits.end())
+    fmt::print(stderr, "kappabench: {}: warning {}: {}\n", input, wild->report.warnings.begin()->first,
+               wild->report.message);
   if (const auto refused = with(Outcome::unsupported_input); refused != fits.end()) {
     complain(refused);
     return bad_usage;

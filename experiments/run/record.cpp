@@ -86,6 +86,7 @@ store::CurveRecord record_of(const Scheme& scheme, const Fit& fit, std::span<con
   record.seconds = fit.report.seconds;
   record.trace = fit.report.trace;
   record.counters = fit.report.counters;
+  record.warnings = fit.report.warnings;
   if (!fit.curve) return record;
 
   record.exact_json = curve_json(scheme, fit);

@@ -17,8 +17,15 @@ constexpr std::array markers{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 
 std::string outcome_words(const store::CellRecord& cell) {
   std::string words = cell.outcome;
+  for (const auto& curve : cell.curves)
+    for (const auto& warning : curve.warnings)
+      if (words.find(warning.first) == std::string::npos) words += ", " + warning.first;
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
+}
+
+bool wild(const store::CellRecord& cell) {
+  return std::any_of(cell.curves.begin(), cell.curves.end(), [](const auto& c) { return !c.warnings.empty(); });
 }
 
 bool has_curve(const store::CellRecord& cell) {
@@ -93,13 +100,13 @@ std::vector<std::string> enter_cells(const std::vector<const store::CellRecord*>
   std::vector<std::string> lines;
   for (const auto* cell : cells) {
     const bool converged = cell->outcome == "converged", curve = has_curve(*cell);
+    const bool plain = converged && !wild(*cell);
     const std::string label = label_of(*cell);
     lines.push_back(fmt::format("lw 2.2 lc rgb '{}'{}", context.key.colour(label), converged ? "" : " dt (8,5)"));
-    const std::string outcome =
-        converged ? "" : fmt::format(" ({}{})", outcome_words(*cell), curve ? "" : ", no curve");
+    const std::string outcome = plain ? "" : fmt::format(" ({}{})", outcome_words(*cell), curve ? "" : ", no curve");
     if (cells.size() == 1 && drawn.title.empty()) drawn.title = label;
-    if (cells.size() == 1 && !converged) remark(drawn, label + outcome);
-    const bool told = cells.size() == 1 && (!curve || (converged && drawn.title.find(label) != std::string::npos));
+    if (cells.size() == 1 && !plain) remark(drawn, label + outcome);
+    const bool told = cells.size() == 1 && (!curve || (plain && drawn.title.find(label) != std::string::npos));
     if (!told) context.key.add({label + outcome, lines.back(), ""});
   }
   return lines;

@@ -17,7 +17,8 @@ namespace {
 constexpr const char* results_format = "kappabench-results";
 constexpr const char* cell_format = "kappabench-cell";
 constexpr const char* layout_text =
-    "/experiments/<id>/cells/<number dataset scheme>/curves/<number>/{points,report,trace,counters,exact,samples,nodes,"
+    "/experiments/<id>/cells/<number dataset "
+    "scheme>/curves/<number>/{points,report,trace,counters,warnings,exact,samples,nodes,"
     "joints,metrics}, .../cells/*/{metrics,timings}, /experiments/<id>/tables/<id>/<column>, "
     "/experiments/<id>/figures, "
     "/experiments/<id>/claims. Words and single numbers are attributes; columns are datasets of one length a group; "

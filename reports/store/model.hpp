@@ -31,6 +31,7 @@ struct CurveRecord {
   double seconds = 0.0;
   std::vector<double> trace;
   std::map<std::string, long> counters;
+  std::map<std::string, long> warnings;  ///< what is legal but wild: names, and how many spans
   // the curve, if there is one
   std::string exact_json;  ///< kappabench-curve, version 1; empty without a curve
   std::vector<double> sample_x, sample_y, sample_kappa, sample_s;  ///< segment-major, s = arc length from the start
@@ -45,6 +46,13 @@ struct CurveRecord {
   std::vector<MeasurementRecord> measurements;
   bool operator==(const CurveRecord&) const = default;
 };
+
+/// The names of the curve's warnings with blanks between.
+[[nodiscard]] inline std::string warning_words(const CurveRecord& curve) {
+  std::string words;
+  for (const auto& entry : curve.warnings) words += (words.empty() ? "" : " ") + entry.first;
+  return words;
+}
 
 /// A table of results: columns of equal length, each of numbers or of words.
 struct TableColumn {

@@ -51,6 +51,7 @@ void describe_curve(Tree& tree, Curve& c) {
   });
   tree.table("trace", [&](auto& put) { put("residual", c.trace); });
   tree.numbers("counters", c.counters);
+  tree.numbers("warnings", c.warnings);
   tree.text("exact", c.exact_json);
   tree.table("samples", [&](auto& put) {
     put("x", c.sample_x), put("y", c.sample_y), put("kappa", c.sample_kappa), put("s", c.sample_s);

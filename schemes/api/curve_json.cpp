@@ -83,8 +83,9 @@ Json json_of(const Parameters& parameters) {
 
 std::string curve_json(const Scheme& scheme, const Fit& fit) {
   const Report& report = fit.report;
-  Json counters = Json::object();
+  Json counters = Json::object(), warnings = Json::array();
   for (const auto& [counter, value] : report.counters) counters[counter] = value;
+  for (const auto& warning : report.warnings) warnings.push_back(warning.first);
   const Json json{{"format", "kappabench-curve"},
                   {"version", 1},
                   {"scheme", scheme.info().id},
@@ -92,6 +93,7 @@ std::string curve_json(const Scheme& scheme, const Fit& fit) {
                   {"closed", fit.input.closed},
                   {"outcome", name(report.outcome)},
                   {"message", report.message},
+                  {"warnings", warnings},
                   {"iterations", report.iterations},
                   {"residual", report.residual},
                   {"seconds", report.seconds},

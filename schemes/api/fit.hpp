@@ -32,10 +32,13 @@ struct Report {
   double seconds = 0.0;                    ///< wall time of the fit alone, filled in by Scheme::fit
   std::vector<double> trace{};             ///< residual before the first and after each iteration
   std::map<std::string, long> counters{};  ///< named by the scheme: "pinned", "fixed_point_sweeps", ...
+  /// Of a curve that is legal but wild, found by Scheme::fit: names, and how many spans (schemes/api/warnings.hpp).
+  std::map<std::string, long> warnings{};
 };
 
-/// A curve, if there is one, and how it came about. Guarantee: `curve` is present when the outcome is
-/// `converged`, absent when it is `unsupported_input`, `failed`, `timed_out` or `crashed`.
+/// A curve, if there is one, and how it came about. Guarantee: `curve` is present when the outcome is `converged`, and
+/// then keeps what it claims (schemes/api/soundness.hpp); absent when it is `unsupported_input`, `failed`, `timed_out`
+/// or `crashed`.
 struct Fit {
   Input input;
   std::optional<Curve> curve;

@@ -5,6 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <variant>
+
+#include "schemes/api/frame.hpp"
+#include "schemes/api/soundness.hpp"
+#include "schemes/api/warnings.hpp"
 
 namespace kappabench {
 
@@ -39,27 +44,87 @@ std::string reason_unsupported(const SchemeTraits& traits, const Input& input) {
 
 namespace {
 
-/// Runs an author's solve or resolve behind the checks that all schemes share, and times it.
+Fit unsupported(const Input& input, std::string reason) {
+  return {.input = input,
+          .curve = std::nullopt,
+          .report = {.outcome = Outcome::unsupported_input, .message = std::move(reason)}};
+}
+
+/// Holds a curve against its claims and notes where it is wild. Both curve and input in the drawing's own frame, the
+/// resolution that of the plane.
+void judge(Report& report, const Curve& curve, const Input& input, const Resolution& resolution) {
+  if (report.outcome != Outcome::converged && report.outcome != Outcome::not_converged) return;
+  std::string message = report.outcome == Outcome::converged ? unsoundness(curve, input, resolution) : "";
+  if (!message.empty()) {
+    report.outcome = Outcome::not_converged;
+    report.message = std::move(message);
+  }
+  for (const Warning& warning : warnings_of(curve)) {
+    report.warnings[warning.name] = warning.spans;
+    if (report.message.empty()) report.message = warning.first;
+  }
+}
+
+/// Runs an author's part in the drawing's own frame, times it, and judges the curve where it lies in the plane, seen
+/// from that frame again: large coordinates cost the curve their rounding, but no evaluation.
 template <class Solve>
-Fit checked(const SchemeTraits& traits, const Input& input, Solve solve) {
-  if (std::string reason = reason_unsupported(traits, input); !reason.empty())
-    return {.input = input,
-            .curve = std::nullopt,
-            .report = {.outcome = Outcome::unsupported_input, .message = std::move(reason)}};
+Fit solved(const Input& input, const Placement& frame, Solve solve) {
+  const bool at_home = frame.is_identity();
+  const Input local = at_home ? Input{} : place(input, frame.inverse());
   const auto start = std::chrono::steady_clock::now();
-  Fit fit = solve();
+  Fit fit = solve(at_home ? input : local);
   fit.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (fit.curve) {
+    Resolution resolution = resolution_of(input);
+    if (at_home) {
+      judge(fit.report, *fit.curve, input, resolution);
+    } else {
+      resolution = {resolution.chord / frame.scale, resolution.rounding / frame.scale};
+      fit.curve = place(*fit.curve, frame);
+      judge(fit.report, place(*fit.curve, frame.inverse()), local, resolution);
+    }
+  }
+  if (!at_home) fit.input = input;
   return fit;
+}
+
+Edit place(const Edit& edit, const Placement& placement) {
+  if (const auto* move = std::get_if<Move>(&edit)) return Move{move->point, placement(move->to)};
+  if (const auto* insert = std::get_if<Insert>(&edit)) {
+    Insert placed = *insert;
+    placed.at = placement(placed.at);
+    if (placed.options.curvature) *placed.options.curvature /= placement.scale;
+    return placed;
+  }
+  return edit;
+}
+
+Fit place(const Fit& fit, const Placement& placement) {
+  Fit placed{place(fit.input, placement), std::nullopt, fit.report};
+  if (fit.curve) placed.curve = place(*fit.curve, placement);
+  return placed;
 }
 
 }  // namespace
 
 Fit Scheme::fit(const Input& input) const {
-  return checked(info_.traits, input, [&] { return solve(input); });
+  if (std::string reason = reason_unsupported(info_.traits, input); !reason.empty())
+    return unsupported(input, std::move(reason));
+  return solved(input, frame_for(input), [&](const Input& local) { return solve(local); });
 }
 
 Fit Scheme::refit(const Fit& fit, const Edit& edit) const {
-  return checked(info_.traits, apply(fit.input, edit), [&] { return resolve(fit, edit); });
+  const Input edited = apply(fit.input, edit);
+  if (std::string reason = reason_unsupported(info_.traits, edited); !reason.empty())
+    return unsupported(edited, std::move(reason));
+  const Placement frame = frame_for(edited), inward = frame.inverse();
+  return solved(edited, frame, [&](const Input&) {
+    return frame.is_identity() ? resolve(fit, edit) : resolve(place(fit, inward), place(edit, inward));
+  });
+}
+
+Placement Scheme::frame_for(const Input& input) const {
+  return info_.traits.similarity_invariant ? frame_of(input) : Placement{};
 }
 
 Fit Scheme::resolve(const Fit& fit, const Edit& edit) const { return solve(apply(fit.input, edit)); }

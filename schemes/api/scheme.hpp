@@ -7,6 +7,7 @@
 #include "schemes/api/edit.hpp"
 #include "schemes/api/fit.hpp"
 #include "schemes/api/parameters.hpp"
+#include "schemes/curve/placement.hpp"
 
 namespace kappabench {
 
@@ -58,6 +59,11 @@ class Scheme {
   /// Fits `input`. Never throws for bad data: input that no scheme can take (NaN, coincident consecutive
   /// points, too few points, open or closed where the traits say no) is refused here as
   /// `unsupported_input` with one line, so authors of schemes need not check it again.
+  ///
+  /// Input that is far from the origin or of uncommon size is solved in its own frame (schemes/api/frame.hpp) if the
+  /// scheme is similarity invariant. A curve that misses what it claims becomes `not_converged`
+  /// (schemes/api/soundness.hpp); wild spans become warnings (schemes/api/warnings.hpp), and the first one the message
+  /// if there was none.
   [[nodiscard]] Fit fit(const Input& input) const;
 
   /// Fits the edited input of an earlier fit; by default from scratch.
@@ -70,6 +76,9 @@ class Scheme {
   /// The author's part: curve and report for an input that passed the checks.
   [[nodiscard]] virtual Fit solve(const Input& input) const = 0;
   [[nodiscard]] virtual Fit resolve(const Fit& fit, const Edit& edit) const;
+
+  /// The identity for a scheme that is not similarity invariant.
+  [[nodiscard]] Placement frame_for(const Input& input) const;
 
   SchemeInfo info_;
   Parameters parameters_;

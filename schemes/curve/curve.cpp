@@ -54,6 +54,13 @@ Curve::Curve(std::vector<SegmentPtr> segments, std::vector<Joint> joints, std::v
   }
 }
 
+Curve place(const Curve& curve, const Placement& placement) {
+  std::vector<SegmentPtr> segments;
+  segments.reserve(curve.segments().size());
+  for (const SegmentPtr& segment : curve.segments()) segments.push_back(place(segment, placement));
+  return {std::move(segments), curve.joints(), curve.nodes(), curve.closed()};
+}
+
 CurveSamples sample(const Curve& curve, int per_segment, int order) {
   if (per_segment < 2) throw std::invalid_argument("sample: at least 2 parameters a segment are needed");
   const auto count = static_cast<std::size_t>(per_segment);

@@ -63,6 +63,9 @@ class Curve {
   bool closed_;
 };
 
+/// The curve, placed: the same joints and nodes.
+[[nodiscard]] Curve place(const Curve& curve, const Placement& placement);
+
 /// A curve evaluated at the same parameters in every segment: what figures and sampled metrics read.
 struct CurveSamples {
   std::vector<double> t;  ///< parameters within a segment, ascending, the same for all

@@ -5,8 +5,12 @@
 
 #include "schemes/curve/exact_form.hpp"
 #include "schemes/curve/jet.hpp"
+#include "schemes/curve/placement.hpp"
 
 namespace kappabench {
+
+class Segment;
+using SegmentPtr = std::shared_ptr<const Segment>;
 
 /// One smooth piece of a curve on t in [0, 1]. All that the author of a new kind of segment writes is
 /// `jet` and `exact`; overriding `jets` is worth it where a batch can share work.
@@ -26,12 +30,21 @@ class Segment {
   /// The defining numbers. Those of a segment that has none are `OpaqueForm`.
   [[nodiscard]] virtual ExactForm exact() const = 0;
 
+  /// The segment whose jets are those of this one, placed. Null, the default, leaves it to `place`, which then wraps
+  /// this segment: its exact form is lost.
+  [[nodiscard]] virtual SegmentPtr placed(const Placement&) const { return nullptr; }
+
+  /// Control points of a Bézier segment (polynomial, or rational with positive weights), else none: c(t) lies in their
+  /// hull and c'(t) in the cone of their differences.
+  [[nodiscard]] virtual std::span<const Vec2> bezier_points() const { return {}; }
+
  protected:
   Segment() = default;
   Segment(const Segment&) = default;
   Segment& operator=(const Segment&) = default;
 };
 
-using SegmentPtr = std::shared_ptr<const Segment>;
+/// The segment, placed.
+[[nodiscard]] SegmentPtr place(const SegmentPtr& segment, const Placement& placement);
 
 }  // namespace kappabench

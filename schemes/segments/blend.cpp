@@ -31,4 +31,8 @@ Jet BlendSegment::jet(double t, int order) const {
 
 ExactForm BlendSegment::exact() const { return BlendForm{from_, to_}; }
 
+SegmentPtr BlendSegment::placed(const Placement& placement) const {
+  return std::make_shared<BlendSegment>(place(from_, placement), place(to_, placement));
+}
+
 }  // namespace kappabench

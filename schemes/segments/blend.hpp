@@ -12,6 +12,7 @@ class BlendSegment final : public Segment {
 
   [[nodiscard]] Jet jet(double t, int order) const override;
   [[nodiscard]] ExactForm exact() const override;
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   SegmentPtr from_;

@@ -81,4 +81,13 @@ Jet ClothoidSegment::jet(double t, int order) const {
   return jet;
 }
 
+SegmentPtr ClothoidSegment::placed(const Placement& placement) const {
+  ClothoidForm form = form_;
+  form.start = placement(form.start);
+  form.curvature /= placement.scale;
+  form.curvature_rate = form.curvature_rate / placement.scale / placement.scale;
+  form.length *= placement.scale;
+  return std::make_shared<ClothoidSegment>(std::move(form));
+}
+
 }  // namespace kappabench

@@ -33,6 +33,7 @@ class ClothoidSegment final : public Segment {
 
   [[nodiscard]] Jet jet(double t, int order) const override;
   [[nodiscard]] ExactForm exact() const override { return form_; }
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   ClothoidForm form_;

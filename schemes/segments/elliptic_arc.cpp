@@ -19,4 +19,12 @@ Jet EllipticArcSegment::jet(double t, int order) const {
   return jet;
 }
 
+SegmentPtr EllipticArcSegment::placed(const Placement& placement) const {
+  EllipticArcForm form = form_;
+  form.centre = placement(form.centre);
+  form.axis_a *= placement.scale;
+  form.axis_b *= placement.scale;
+  return std::make_shared<EllipticArcSegment>(std::move(form));
+}
+
 }  // namespace kappabench

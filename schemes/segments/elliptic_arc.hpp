@@ -14,6 +14,7 @@ class EllipticArcSegment final : public Segment {
 
   [[nodiscard]] Jet jet(double t, int order) const override;
   [[nodiscard]] ExactForm exact() const override { return form_; }
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   EllipticArcForm form_;

@@ -172,4 +172,12 @@ void IntrinsicSegment::jets(std::span<const double> t, int order, std::span<Jet>
   }
 }
 
+SegmentPtr IntrinsicSegment::placed(const Placement& placement) const {
+  IntrinsicForm form = form_;
+  form.start = placement(form.start);
+  form.length *= placement.scale;
+  for (double& curvature : form.control_curvatures) curvature /= placement.scale;
+  return std::make_shared<IntrinsicSegment>(std::move(form));
+}
+
 }  // namespace kappabench

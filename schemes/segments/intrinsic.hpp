@@ -27,6 +27,7 @@ class IntrinsicSegment final : public Segment {
   /// Ascending parameters share their integrals.
   void jets(std::span<const double> t, int order, std::span<Jet> out) const override;
   [[nodiscard]] ExactForm exact() const override { return form_; }
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   /// A knot span: Bernstein coefficients over local v in [0, 1], t = from + width v.

@@ -44,4 +44,11 @@ ExactForm PolynomialSegment::exact() const {
   return PolynomialForm{{points.begin(), points.end()}};
 }
 
+SegmentPtr PolynomialSegment::placed(const Placement& placement) const {
+  auto points = control_points_;
+  const std::span used = std::span{points}.first(control_points().size());
+  std::ranges::transform(used, used.begin(), placement);
+  return std::make_shared<PolynomialSegment>(used);
+}
+
 }  // namespace kappabench

@@ -24,6 +24,8 @@ class PolynomialSegment final : public Segment {
   [[nodiscard]] Jet jet(double t, int order) const override;
   void jets(std::span<const double> t, int order, std::span<Jet> out) const override;
   [[nodiscard]] ExactForm exact() const override;
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
+  [[nodiscard]] std::span<const Vec2> bezier_points() const override { return control_points(); }
 
  private:
   std::array<Vec2, max_degree + 1> control_points_;

@@ -29,4 +29,8 @@ Jet ReparametrizedSegment::jet(double t, int order) const {
 
 ExactForm ReparametrizedSegment::exact() const { return ReparametrizedForm{of_, start_speed_}; }
 
+SegmentPtr ReparametrizedSegment::placed(const Placement& placement) const {
+  return std::make_shared<ReparametrizedSegment>(place(of_, placement), start_speed_);
+}
+
 }  // namespace kappabench

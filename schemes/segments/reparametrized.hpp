@@ -13,6 +13,7 @@ class ReparametrizedSegment final : public Segment {
 
   [[nodiscard]] Jet jet(double t, int order) const override;
   [[nodiscard]] ExactForm exact() const override;
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   SegmentPtr of_;

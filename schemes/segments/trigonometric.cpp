@@ -1,5 +1,6 @@
 #include "schemes/segments/trigonometric.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,5 +49,11 @@ Jet TrigonometricSegment::jet(double t, int order) const {
 }
 
 ExactForm TrigonometricSegment::exact() const { return TrigonometricForm{control_points_}; }
+
+SegmentPtr TrigonometricSegment::placed(const Placement& placement) const {
+  auto points = control_points_;
+  std::ranges::transform(points, points.begin(), placement);
+  return std::make_shared<TrigonometricSegment>(points);
+}
 
 }  // namespace kappabench

@@ -16,6 +16,7 @@ class TrigonometricSegment final : public Segment {
 
   [[nodiscard]] Jet jet(double t, int order) const override;
   [[nodiscard]] ExactForm exact() const override;
+  [[nodiscard]] SegmentPtr placed(const Placement& placement) const override;
 
  private:
   std::array<Vec2, 5> control_points_;

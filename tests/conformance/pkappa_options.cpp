@@ -25,7 +25,7 @@ void check(const Fit& fit) {
   // As printed, without weights, an edge may vanish and with it the tangent; such a fit says that it failed.
   if (fit.report.outcome != Outcome::converged) return;
   const double chord = mean_chord(fit.input);
-  for (const JointJump& jump : joint_jumps(*fit.curve, chord)) {
+  for (const JointJump& jump : joint_jumps(*fit.curve, fit.input)) {
     INFO("joint " << jump.joint.segment);
     CHECK(jump.gap <= 1e-10);
     const Jet before = fit.curve->segment(jump.joint.segment).jet(1.0, 2);

@@ -57,11 +57,11 @@ std::vector<Fit> matching_fits(const Uses& uses, const Input& input, Notes& note
 
 /// Joints by what they are, and whether they keep it.
 void measure_joints(const Fit& fit, Notes& notes) {
-  for (const JointJump& found : joint_jumps(*fit.curve, mean_chord(fit.input))) {
+  for (const JointJump& found : joint_jumps(*fit.curve, fit.input)) {
     const bool inflection = is_inflection(found.joint);
     notes.row({kind(inflection ? at_inflection : elsewhere)},
               {angle(found.angle), jump(inflection ? found.curvature_magnitude : found.curvature),
-               missed(found.meets_claim() ? 0 : 1)});
+               missed(found.meets_claim ? 0 : 1)});
   }
 }
 

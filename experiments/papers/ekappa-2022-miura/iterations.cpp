@@ -53,7 +53,7 @@ void measure_drawing(const Uses& uses, const Drawing& drawing, Notes& notes) {
     most_steps = std::max(most_steps, static_cast<double>(fit.report.iterations));
     largest_residual = std::max(largest_residual, fit.report.residual);
     if (!fit.curve) continue;
-    for (const JointJump& joint : joint_jumps(*fit.curve, mean_chord(input)))
+    for (const JointJump& joint : joint_jumps(*fit.curve, input))
       largest_jump = std::max(largest_jump, joint.curvature_magnitude - joint.curvature_uncertainty);
   }
   if (fits > 0.0)

@@ -42,11 +42,11 @@ void measure(const Uses& uses, const Input& input, Notes& notes) {
   const Fit fit = uses.schemes.front()->fit(input);
   notes.put(solved(study::solved(fit)));
   if (!study::solved(fit)) return;
-  for (const JointJump& at : joint_jumps(*fit.curve, mean_chord(input))) {
+  for (const JointJump& at : joint_jumps(*fit.curve, input)) {
     const bool change = at.joint.claimed == Continuity::g1_equal_magnitude;
     const double kappa = change ? at.curvature_magnitude : at.curvature;
     notes.row({change ? changes : stays}, {jump(std::max(0.0, kappa - at.curvature_uncertainty)), angle(at.angle),
-                                           kept(at.meets_claim() && at.joint.claimed != Continuity::g1)});
+                                           kept(at.meets_claim && at.joint.claimed != Continuity::g1)});
   }
 }
 

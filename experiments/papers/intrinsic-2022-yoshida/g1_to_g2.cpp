@@ -86,8 +86,8 @@ void measure(const Uses& uses, const Input& input, Notes& notes) {
   notes.row({}, {tried(1), solved(both ? 1 : 0)});
   if (!both) return;
   const double chord = mean_chord(input);
-  for (const JointJump& jump : joint_jumps(*g1.curve, chord)) notes.put(jump_before(jump.curvature));
-  for (const JointJump& jump : joint_jumps(*g2.curve, chord))
+  for (const JointJump& jump : joint_jumps(*g1.curve, input)) notes.put(jump_before(jump.curvature));
+  for (const JointJump& jump : joint_jumps(*g2.curve, input))
     notes.put(jump_after(std::max(0.0, jump.curvature - jump.curvature_uncertainty)));
   notes.row(
       {}, {segments(g2.curve->size()), intervals_before(intervals(*g1.curve)), intervals_after(intervals(*g2.curve))});

@@ -72,9 +72,9 @@ void measure(const Scheme& scheme, const Input& input, int index, Notes& notes) 
   notes.row({curve_number(index)},
             {was_solved(solved ? 1 : 0), scaled_energy(mean_energy_of(fit) * mean_chord(input))});
   if (!solved) return;
-  const auto jumps = joint_jumps(*fit.curve, mean_chord(input));
+  const auto jumps = joint_jumps(*fit.curve, input);
   notes.row({curve_number(index)},
-            {missed(std::ranges::count_if(jumps, [](const JointJump& jump) { return !jump.meets_claim(); })),
+            {missed(std::ranges::count_if(jumps, [](const JointJump& jump) { return !jump.meets_claim; })),
              few_intervals(metric_of("monotone_intervals", few_intervals, scheme, fit)),
              offset(metric_of("extremum_offset", offset, scheme, fit)), segments(fit.curve->size())});
 }

@@ -33,8 +33,8 @@ std::size_t turns_inside(const Measured& m, const std::vector<Part>& parts) {
   return turning_points(profile_within(m.curve, m.profile, parts), m.profile.unit, m.prominence()).size();
 }
 
-void find_jumps(const Measured& m, double chord, VisibleFlaws& found) {
-  for (const JointJump& jump : joint_jumps(m.curve, chord)) {
+void find_jumps(const Measured& m, const Input& input, VisibleFlaws& found) {
+  for (const JointJump& jump : joint_jumps(m.curve, input)) {
     ++found.joints;
     if (!(jump.curvature > visible_jump + jump.curvature_uncertainty)) continue;
     const int segment = jump.joint.segment;
@@ -109,7 +109,7 @@ VisibleFlaws visible_flaws(const Fit& fit) {
   const ArcMap arcs(curve);
   const Measured measured{curve, curvature_profile(curve), arcs, nodes_in_order(curve, arcs)};
   VisibleFlaws found;
-  find_jumps(measured, mean_chord(fit.input), found);
+  find_jumps(measured, fit.input, found);
   find_points_off(measured, fit.input, found);
   find_many_intervals(measured, found);
   find_alternating(measured, found);

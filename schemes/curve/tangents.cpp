@@ -1,4 +1,4 @@
-#include "metrics/tangents.hpp"
+#include "schemes/curve/tangents.hpp"
 
 #include <cmath>
 

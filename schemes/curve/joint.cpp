@@ -1,0 +1,118 @@
+#include "schemes/curve/joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "schemes/curve/tangents.hpp"
+
+namespace kappabench {
+
+namespace {
+
+/// Relative accuracy that solvers are held to: 4096 roundings.
+constexpr double solved = 0x1p-40;
+/// A relative jump, or an angle in radians, that nothing explains away.
+constexpr double visible = 0.1;
+/// A coordinate that was solved for and stored has been rounded a few times.
+constexpr double roundings = 2.0;
+
+JointSide with_errors(const Vec2& position, const Vec2& first, const Vec2& second, int degree, double rounding) {
+  constexpr double last_place = std::numeric_limits<double>::epsilon();
+  const double error = roundings * std::max(rounding, last_place * position.cwiseAbs().maxCoeff());
+  // Sums of two and of four control points times degree and degree (degree - 1).
+  const double first_error = 2.0 * degree * error, second_error = 4.0 * degree * (degree - 1) * error;
+  const double v = first.norm();
+  return {position, first, second, error, first_error, second_error, first / v, first_error / v};
+}
+
+JointSide moving_side_of(const Segment& segment, bool at_end, double rounding) {
+  if (const std::span<const Vec2> b = segment.bezier_points(); !b.empty()) {
+    const auto degree = static_cast<int>(b.size()) - 1;
+    const auto at = [&](std::size_t i) -> const Vec2& { return at_end ? b[b.size() - 1 - i] : b[i]; };
+    const double sign = at_end ? -1.0 : 1.0;
+    const Vec2 first = sign * degree * (at(1) - at(0));
+    const Vec2 second =
+        degree > 1 ? Vec2(degree * (degree - 1.0) * ((at(2) - at(1)) - (at(1) - at(0)))) : Vec2(Vec2::Zero());
+    return with_errors(at(0), first, second, degree, rounding);
+  }
+  const Jet jet = segment.jet(at_end ? 1.0 : 0.0, 2);
+  return with_errors(jet.d[0], jet.d[1], jet.d[2], 3, rounding);
+}
+
+JointSide side_of(const Segment& segment, bool at_end, double rounding) {
+  JointSide side = moving_side_of(segment, at_end, rounding);
+  if (side.first.norm() > side.first_error) return side;
+  side.tangent = unit_tangent(segment, at_end ? 1.0 : 0.0, at_end ? Side::before : Side::after, side.first_error);
+  side.tangent_error = side.second_error / side.second.norm();
+  return side;
+}
+
+/// Holds `measured` against `allowed`; what is not a number misses.
+std::optional<JointMiss> held(JointMiss::Of of, double before, double after, double measured, double allowed) {
+  if (measured <= allowed) return std::nullopt;
+  return JointMiss{of, before, after, measured, allowed};
+}
+
+std::optional<JointMiss> tangent_miss(const JointSide& before, const JointSide& after) {
+  const double allowed = std::min(visible, solved + before.tangent_error + after.tangent_error);
+  const double sine = std::abs(cross(before.tangent, after.tangent)), cosine = before.tangent.dot(after.tangent);
+  if (sine <= allowed && cosine > 0.0) return std::nullopt;
+  const auto angle = [](const Vec2& d) { return std::atan2(d.y(), d.x()); };
+  return JointMiss{JointMiss::Of::tangent, angle(before.tangent), angle(after.tangent), std::atan2(sine, cosine),
+                   allowed};
+}
+
+std::optional<JointMiss> curvature_miss(const JointSide& before, const JointSide& after, bool signs_too, double chord) {
+  const double k0 = before.curvature(), k1 = after.curvature();
+  const double scale = std::max({std::abs(k0), std::abs(k1), 1.0 / chord});
+  const double allowed = std::min(visible * scale, solved * scale + before.curvature_error() + after.curvature_error());
+  return held(JointMiss::Of::curvature, k0, k1, std::abs(signs_too ? k1 - k0 : std::abs(k1) - std::abs(k0)), allowed);
+}
+
+std::optional<JointMiss> derivative_miss(JointMiss::Of of, const Vec2& before, const Vec2& after, double error,
+                                         double chord) {
+  const double scale = std::max({before.norm(), after.norm(), chord});
+  return held(of, 0.0, 0.0, (after - before).norm(), std::min(visible * scale, solved * scale + error));
+}
+
+}  // namespace
+
+double JointSide::curvature() const {
+  const double v = first.norm();
+  return cross(first, second) / (v * v * v);
+}
+
+double JointSide::curvature_error() const {
+  // kappa = c' x c'' / |c'|^3
+  const double v = first.norm(), a = second.norm();
+  return (second_error + first_error * 4.0 * a / v) / (v * v);
+}
+
+JointSides sides_of(const Curve& curve, const Joint& joint, double rounding) {
+  return {side_of(curve.segment(joint.segment), true, rounding),
+          side_of(curve.segment(curve.next(joint.segment)), false, rounding)};
+}
+
+std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord) {
+  using enum Continuity;
+  const auto& [before, after] = sides;
+  if (auto miss = held(JointMiss::Of::position, 0.0, 0.0, (after.position - before.position).norm(),
+                       solved * chord + before.position_error + after.position_error))
+    return miss;
+  if (claimed == g0) return std::nullopt;
+  if (auto miss = tangent_miss(before, after)) return miss;
+  if (claimed == g1) return std::nullopt;
+  if (claimed == c1 || claimed == c2)
+    if (auto miss = derivative_miss(JointMiss::Of::first_derivative, before.first, after.first,
+                                    before.first_error + after.first_error, chord))
+      return miss;
+  if (claimed == c1) return std::nullopt;
+  if (claimed == c2)
+    if (auto miss = derivative_miss(JointMiss::Of::second_derivative, before.second, after.second,
+                                    before.second_error + after.second_error, chord))
+      return miss;
+  return curvature_miss(before, after, claimed != g1_equal_magnitude, chord);
+}
+
+}  // namespace kappabench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "schemes/curve/curve.hpp"
+
+namespace kappabench {
+
+/// One side of a joint: where a segment ends or starts, its derivatives there by t, and how far rounding of the
+/// coordinates can have moved each.
+struct JointSide {
+  Vec2 position, first, second;
+  double position_error, first_error, second_error;  ///< lengths
+  Vec2 tangent;          ///< unit; where `first` is all rounding, that of the next derivative (unit_tangent)
+  double tangent_error;  ///< radians
+
+  [[nodiscard]] double curvature() const;
+  /// How much of the curvature the errors explain.
+  [[nodiscard]] double curvature_error() const;
+};
+
+struct JointSides {
+  JointSide before, after;
+};
+
+/// Both sides of a joint. `rounding`, a length, is one unit in the last place of the coordinates that the drawing was
+/// given in; coordinates of the curve that are larger round by more.
+[[nodiscard]] JointSides sides_of(const Curve& curve, const Joint& joint, double rounding);
+
+/// What a joint misses of its claim.
+struct JointMiss {
+  enum class Of { position, tangent, curvature, first_derivative, second_derivative } of;
+  double before, after;  ///< angles in radians and curvatures; 0 for vectors
+  double measured, allowed;
+};
+
+/// Holds the two sides against the claim, for a curve whose points are `chord` apart on average. Allowed is what the
+/// errors of the sides explain and, for what a solver had to find, `solved` of the larger side (or of 1 / chord, of
+/// chord for derivatives). More than a tenth is never explained: such a joint cannot be said to be smooth.
+[[nodiscard]] std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord);
+
+}  // namespace kappabench
