@@ -76,6 +76,16 @@ TEST_CASE("A curve that did not converge is dashed and says so") {
   CHECK_FALSE(has(alone.script, "dt (8,5)"));
 }
 
+TEST_CASE("A wild curve says so, converged or not") {
+  auto from = experiment();
+  from.cells[0].curves[0].warnings = {{"long_span", 2}, {"winding_span", 1}};
+  from.cells[1].curves[0].warnings = {{"long_span", 1}};
+  const auto files = one_panel(panel_of("curve", {0, 1}), from);
+  CHECK(has(files.script, "(converged, long span, winding span)"));
+  CHECK(has(files.script, "ekappa a=0.8 (not converged, long span)"));
+  CHECK(count(files.script, "dt (8,5)") == 2);  // of the one that did not converge
+}
+
 TEST_CASE("A cell without a curve is named, its points are drawn") {
   const auto files = one_panel(panel_of("curve", {4}), experiment());
   CHECK(has(files.script, "kappa (timed out, no curve)"));

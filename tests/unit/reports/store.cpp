@@ -99,6 +99,16 @@ TEST_CASE("The store gives back what was written") {
   CHECK(again == results);
 }
 
+TEST_CASE("The store gives back the warnings of a curve") {
+  const ScratchFolder folder;
+  auto results = synthetic::results();
+  results.experiments[0].cells[0].curves[0].warnings = {{"long_span", 2}, {"winding_span", 1}};
+  store::write_results(folder.path() / "r.h5", results);
+  const auto read = store::read_results(folder.path() / "r.h5");
+  CHECK(store::warning_words(read.experiments[0].cells[0].curves[0]) == "long_span winding_span");
+  CHECK(read.experiments[0].cells[0].curves[0].warnings == results.experiments[0].cells[0].curves[0].warnings);
+}
+
 TEST_CASE("The store keeps NaN, infinity, odd names and long words") {
   const ScratchFolder folder;
   const auto file = folder.path() / "results.h5";

@@ -79,7 +79,6 @@ void converge(CurveRecord& curve, double ratio, int iterations) {
   if (ratio < 0.5) curve.trace.back() = 0.0;  // exactly met: drawn at the floor
   curve.residual = curve.trace.back();
   curve.counters = {{"pinned", 1}, {"sweeps", iterations}};
-  if (iterations > 20) curve.warnings = {{"long_span", 2}, {"winding_span", 1}};
 }
 
 CellRecord cell_of(const std::string& dataset, const std::string& label, std::vector<CurveRecord> curves) {
