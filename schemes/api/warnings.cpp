@@ -43,13 +43,14 @@ void for_parts(const Curve& curve, const Span& span, Part part) {
 /// winds nor crosses itself, and its length is below 3 chords.
 bool plainly_tame(const Curve& curve, const Span& span, const Vec2& chord) {
   bool tame = true;
+  const double squared = chord.squaredNorm();
   for_parts(curve, span, [&](const Segment& segment, double, double) {
     const std::span<const Vec2> b = segment.bezier_points();
     if (b.empty()) tame = false;
     for (std::size_t i = 0; tame && i + 1 < b.size(); ++i) {
       const Vec2 leg = b[i + 1] - b[i];
       const double along = leg.dot(chord);
-      tame = along >= 0.0 && long_span * long_span * along * along >= leg.squaredNorm() * chord.squaredNorm();
+      tame = along >= 0.0 && long_span * long_span * along * along >= leg.squaredNorm() * squared;
     }
   });
   return tame;
@@ -105,14 +106,19 @@ std::vector<Warning> warnings_of(const Curve& curve) {
   const auto note = [](Warning& warning, const std::string& first) {
     if (warning.spans++ == 0) warning.first = first;
   };
-  std::vector<Node> nodes = curve.nodes();
-  std::ranges::stable_sort(nodes, {}, [](const Node& node) { return std::pair{node.segment, node.t}; });
+  const auto along = [](const Node& a, const Node& b) { return std::pair{a.segment, a.t} < std::pair{b.segment, b.t}; };
+  std::vector<Node> sorted;
+  if (!std::ranges::is_sorted(curve.nodes(), along)) {
+    sorted = curve.nodes();
+    std::ranges::stable_sort(sorted, along);
+  }
+  const std::vector<Node>& nodes = sorted.empty() ? curve.nodes() : sorted;
   const std::size_t spans = curve.closed() ? nodes.size() : std::max<std::size_t>(nodes.size(), 1) - 1;
   for (std::size_t i = 0; i < spans; ++i) {
     const Span span{nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0]};
     if (span.from.point == span.to.point) continue;
-    const Vec2 chord = curve.segment(span.to.segment).jet(span.to.t, 0).position() -
-                       curve.segment(span.from.segment).jet(span.from.t, 0).position();
+    const Vec2 chord = position_at(curve.segment(span.to.segment), span.to.t) -
+                       position_at(curve.segment(span.from.segment), span.from.t);
     if (plainly_tame(curve, span, chord)) continue;
     const Wildness wild = wildness_of(curve, span, chord);
     const std::string place = fmt::format("the span from point {} to {}", span.from.point, span.to.point);

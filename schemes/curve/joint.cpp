@@ -115,4 +115,30 @@ std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, do
   return curvature_miss(before, after, claimed != g1_equal_magnitude, chord);
 }
 
+bool plainly_keeps(std::span<const Vec2> before, std::span<const Vec2> after, Continuity claimed, double chord) {
+  using enum Continuity;
+  if (before.empty() || after.empty() || before.back() != after.front()) return false;
+  if (claimed == g0) return true;
+  const std::size_t m = before.size() - 1;
+  const Vec2 a = before[m] - before[m - 1], b = after[1] - after[0];
+  const double aa = a.squaredNorm(), bb = b.squaredNorm(), sine = cross(a, b);
+  constexpr double tight = solved * solved;
+  constexpr double slow =
+      1e-12;  // of the square of the chord: legs that rounding might matter to are looked at closely
+  if (!(std::min(aa, bb) > slow * chord * chord && a.dot(b) > 0.0 && sine * sine <= tight * aa * bb)) return false;
+  if (claimed == g1) return true;
+  if (m < 2 || after.size() < 3) return false;
+  const double degree0 = static_cast<double>(m), degree1 = static_cast<double>(after.size() - 1);
+  const Vec2 second0 = degree0 * (degree0 - 1.0) * (a - (before[m - 1] - before[m - 2]));
+  const Vec2 second1 = degree1 * (degree1 - 1.0) * ((after[2] - after[1]) - b);
+  const double close = tight * chord * chord;
+  if ((claimed == c1 || claimed == c2) && !((degree1 * b - degree0 * a).squaredNorm() <= close)) return false;
+  if (claimed == c1) return true;
+  if (claimed == c2 && !((second1 - second0).squaredNorm() <= close)) return false;
+  const double k0 = cross(a, second0) / (degree0 * degree0 * aa * std::sqrt(aa));
+  const double k1 = cross(b, second1) / (degree1 * degree1 * bb * std::sqrt(bb));
+  const double jump = claimed == g1_equal_magnitude ? std::abs(k1) - std::abs(k0) : k1 - k0;
+  return std::abs(jump) <= solved * std::max(std::abs(k0), 1.0 / chord);
+}
+
 }  // namespace kappabench

@@ -39,4 +39,9 @@ struct JointMiss {
 /// chord for derivatives). More than a tenth is never explained: such a joint cannot be said to be smooth.
 [[nodiscard]] std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord);
 
+/// Whether the control points of two Bézier segments show at a glance that the joint between them keeps its claim:
+/// miss_of finds nothing then. False says nothing. Most joints of most curves are done with this.
+[[nodiscard]] bool plainly_keeps(std::span<const Vec2> before, std::span<const Vec2> after, Continuity claimed,
+                                 double chord);
+
 }  // namespace kappabench

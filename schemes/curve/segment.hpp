@@ -44,6 +44,14 @@ class Segment {
   Segment& operator=(const Segment&) = default;
 };
 
+/// jet(t, 0).position(), at the ends of a Bézier segment the control point itself.
+[[nodiscard]] inline Vec2 position_at(const Segment& segment, double t) {
+  if (t == 0.0 || t == 1.0)
+    if (const std::span<const Vec2> points = segment.bezier_points(); !points.empty())
+      return t == 0.0 ? points.front() : points.back();
+  return segment.jet(t, 0).position();
+}
+
 /// The segment, placed.
 [[nodiscard]] SegmentPtr place(const SegmentPtr& segment, const Placement& placement);
 
