@@ -86,11 +86,13 @@ SignChanges clothoid_sign_changes(const ClothoidForm& form, bool of_slope) {
     result.vanishes = form.curvature_rate == 0.0;
     return result;
   }
-  const double end = form.curvature + form.curvature_rate * form.length;
+  // Rounded once, so that its sign is that of the exact number.
+  const double end = std::fma(form.curvature_rate, form.length, form.curvature);
   result.vanishes = form.curvature == 0.0 && end == 0.0;
   if ((form.curvature > 0.0 && end < 0.0) || (form.curvature < 0.0 && end > 0.0)) {
-    const double t = -form.curvature / (form.curvature_rate * form.length);
-    result.at.push_back({t, t});
+    constexpr double slack = 0x1p-51;  // of a product and a quotient
+    const double t = std::min(1.0, -form.curvature / (form.curvature_rate * form.length));
+    result.at.push_back({t * (1.0 - slack), std::min(1.0, t * (1.0 + slack))});
   }
   return result;
 }
@@ -118,7 +120,8 @@ SignChanges intrinsic_sign_changes(const IntrinsicForm& form, bool of_slope) {
     if (first == 0) continue;
     if (sign_before != 0 && first != sign_before) result.at.push_back({end_before, a});
     for (const RootBracket& root : isolate_sign_changes(span)) {
-      result.at.push_back({a + root.lo * (b - a), std::min(b, a + root.hi * (b - a) + 0x1p-52)});
+      constexpr double slack = 0x1p-52;  // of a product and a sum that are at most 1
+      result.at.push_back({std::max(a, a + root.lo * (b - a) - slack), std::min(b, a + root.hi * (b - a) + slack)});
     }
     sign_before = sign_near_end(span);
     end_before = b;

@@ -182,7 +182,7 @@ TEST_CASE("intrinsic segment: inflections and extrema are those of the spline") 
   const IntrinsicSegment segment({{0, 0}, 0, 2, 3, {0, 0, 0, 1, 1, 1}, {1, -1, -1, 1}});
   const auto extrema = curvature_extrema(segment);
   REQUIRE(extrema.at.size() == 1);
-  CHECK(extrema.certified);
+  CHECK(extrema.certification == Certification::exact);
   CHECK(extrema.at[0].lo <= 0.5);
   CHECK(extrema.at[0].hi >= 0.5);
   const auto zeros = inflections(segment);

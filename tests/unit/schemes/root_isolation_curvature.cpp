@@ -53,7 +53,7 @@ TEST_CASE("curvature extremum of the reference quintic", "[roots][curvature]") {
   const auto segment = polynomial({{0, 0}, {1, 2}, {3, 3}, {5, 2.5}, {6, 1}, {6.5, -1}});
   const SignChanges extrema = curvature_extrema(segment);
   REQUIRE(extrema.at.size() == 1);
-  CHECK(extrema.certified);
+  CHECK(extrema.certification == Certification::exact);
   CHECK(extrema.at[0].lo <= 0.53827490207464975);
   CHECK(extrema.at[0].hi >= 0.53827490207464965);
   CHECK(extrema.at[0].hi - extrema.at[0].lo < 1e-12);
@@ -107,7 +107,7 @@ TEST_CASE("local minimum of curvature of a gentle trigonometric segment", "[root
   const double h = std::sqrt(0.5);
   const auto segment = trigonometric_blend({0, 0}, {1, 0}, {1 + h, h}, 0.55);
   const SignChanges extrema = curvature_extrema(segment);
-  CHECK(extrema.certified);
+  CHECK(extrema.certification == Certification::exact);
   CHECK(static_cast<int>(extrema.at.size()) == sampled_count(segment, true, 100001));
   CHECK(std::any_of(extrema.at.begin(), extrema.at.end(),
                     [](const RootBracket& b) { return std::abs(b.mid() - 0.5) < 1e-12; }));
@@ -131,7 +131,7 @@ TEST_CASE("certified counts agree with dense sampling on random segments", "[roo
     }
     for (const bool of_slope : {true, false}) {
       const SignChanges changes = of_slope ? curvature_extrema(*segment) : inflections(*segment);
-      REQUIRE(changes.certified);
+      REQUIRE(changes.certification == Certification::exact);
       const auto count = static_cast<int>(changes.at.size());
       const int sampled = sampled_count(*segment, of_slope, 20000);
       CHECK(count >= sampled);  // sampling can only miss sign changes

@@ -84,7 +84,7 @@ TEST_CASE("curvature extrema of an elliptical arc are where its speed is extreme
     const EllipticArcSegment segment({Vec2::Zero(), Vec2(uniform(generator), uniform(generator)),
                                       Vec2(uniform(generator), uniform(generator)), from, to});
     const SignChanges extrema = curvature_extrema(segment);
-    CHECK(extrema.certified);
+    CHECK(extrema.certification == Certification::exact);
     CHECK(inflections(segment).at.empty());
     double before = 0.0;
     int changes = 0;
