@@ -1,35 +1,39 @@
 #include "metrics/fairness.hpp"
 
 #include <cmath>
+#include <limits>
 
+#include "metrics/angle_turned.hpp"
 #include "metrics/arc_samples.hpp"
 #include "metrics/curvature_profile.hpp"
-#include "metrics/statistics.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 
 namespace kappabench {
 namespace {
 
 struct Integrals {
-  double length = 0.0;
-  double bending = 0.0;
-  double variation = 0.0;  ///< of (d kappa / ds)^2
+  Estimate length;
+  Estimate bending;
+  Estimate variation;  ///< of (d kappa / ds)^2
   double turning = 0.0;
-  bool cusp = false;
+  bool diverges = false;
 };
 
 Integrals integrate(const Curve& curve, const CurvatureProfile& profile) {
   Integrals sum;
   for (int i = 0; i < curve.size(); ++i) {
+    const Segment& segment = curve.segment(i);
     std::vector<double> splits = profile.splits(i);
-    for (const RootBracket& bracket : inflections(curve.segment(i)).at) splits.push_back(bracket.mid());
-    for (const ArcSample& sample : arc_samples(curve.segment(i), 0.0, 1.0, splits)) {
-      sum.length += sample.weight;
-      sum.bending += sample.weight * sample.curvature * sample.curvature;
-      sum.variation += sample.weight * sample.rate * sample.rate;
-      sum.turning += sample.weight * std::abs(sample.curvature);
-    }
-    sum.cusp = sum.cusp || profile.cusp_within(i, 0.0, 1.0);
+    for (const RootBracket& bracket : inflections(segment).at) splits.push_back(bracket.mid());
+    const ArcQuadrature over = arc_quadrature(segment, 0.0, 1.0, splits);
+    const double length = over.length.value;
+    sum.length += over.length;
+    sum.bending += over.bending;
+    sum.variation += over.variation;
+    if (!(length > 0.0)) continue;
+    sum.turning += angle_turned(segment, length);
+    sum.diverges = sum.diverges || profile.cusp_within(i, 0.0, 1.0) || diverges_at_end(segment, 0.0, length) ||
+                   diverges_at_end(segment, 1.0, length);
   }
   return sum;
 }
@@ -59,14 +63,14 @@ Metric fairness_metric() {
     const Curve& curve = *fit.curve;
     const CurvatureProfile profile = curvature_profile(curve);
     const Integrals sum = integrate(curve, profile);
-    const double length = sum.length;
+    const double length = sum.length.to_accuracy();
     const auto finite_or_divergent = [&](double value) {
-      return sum.cusp ? std::numeric_limits<double>::infinity() : value;
+      return sum.diverges ? std::numeric_limits<double>::infinity() : value;
     };
     using enum Method;
     return std::vector<Measurement>{
-        column::bending_energy(finite_or_divergent(sum.bending * length), sampled),
-        column::mvc_energy(finite_or_divergent(sum.variation * length * length * length), sampled),
+        column::bending_energy(finite_or_divergent(sum.bending.to_accuracy() * length), sampled),
+        column::mvc_energy(finite_or_divergent(sum.variation.to_accuracy() * length * length * length), sampled),
         // The variation is that of the extrema, but the length is quadrature.
         column::curvature_variation(finite_or_divergent(total_variation(profile, curve.closed()) * length), sampled),
         column::total_turning(sum.turning, sampled),
@@ -75,7 +79,7 @@ Metric fairness_metric() {
   using namespace column;
   return {.id = "fairness",
           .title = "Fairness energies, free of scale",
-          .version = 2,
+          .version = 3,
           .columns = {bending_energy, mvc_energy, curvature_variation, total_turning, length_over_chords},
           .measure = measure};
 }
