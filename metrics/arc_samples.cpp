@@ -13,7 +13,7 @@ namespace kappabench {
 namespace {
 
 constexpr std::size_t count = PanelRule::count;
-constexpr std::size_t most_panels = 1000;
+constexpr std::size_t most_more = 200;  // panels than at first
 constexpr double accuracy = 1e-13;
 constexpr double accuracy_of_rate = 1e-11;
 
@@ -121,7 +121,8 @@ bool too_large(const Panel& panel, const Totals& whole, std::size_t panels) {
 
 /// Bisects every panel whose error is too large for its share, in rounds, so that the order of work does not matter.
 void refine(const Segment& segment, std::vector<Panel>& panels) {
-  for (bool changed = true; changed && panels.size() < most_panels;) {
+  const std::size_t most = panels.size() + most_more;
+  for (bool changed = true; changed && panels.size() < most;) {
     changed = false;
     const Totals whole = total(panels);
     std::vector<Panel> next;

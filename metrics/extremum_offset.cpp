@@ -90,7 +90,7 @@ Metric extremum_offset_metric() {
     double hits = 0.0;
     double minima = 0.0;
     for (const PlacedNode& node : nodes) {
-      if (extrema.empty() || at_end(node, curve, arcs)) continue;
+      if (!arcs.accurate() || extrema.empty() || at_end(node, curve, arcs)) continue;
       const double local = local_chord(fit.input, node.node.point);
       const double distance = distance_to_nearest(extrema, node.position, curve, arcs.length());
       offsets.push_back(distance / local);

@@ -155,6 +155,7 @@ Energies native_energies(const Curve& curve, const CurvatureProfile& profile, co
 
 Energies centred_energies(const Curve& curve, const CurvatureProfile& profile, const ArcMap& arcs) {
   Energies energies;
+  if (!arcs.accurate()) return energies;
   for (const CentredPiece& piece : centred_pieces(curve, arcs)) {
     SampledPiece sampled{.stretches = {}, .length = piece.end - piece.start};
     bool infinitely_bent = false;
