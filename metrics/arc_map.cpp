@@ -3,20 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schemes/curve/arc_length.hpp"
+#include "schemes/curve/steady_stretches.hpp"
+
 namespace kappabench {
 namespace {
 
-constexpr double accuracy = 1e-13;
-constexpr int max_depth = 40;
-constexpr std::size_t most_panels = 400;  // of a segment: rounding noise must not be bisected for ever
+constexpr double aimed_at = 1e-13;
+constexpr double promised = 1e-10;
+constexpr int max_depth = 12;              // below a steady stretch
+constexpr std::size_t most_panels = 1000;  // of a segment: what is not smooth must not be bisected for ever
+
+/// Right up to a factor of 3, as the speed is on each stretch.
+double rough_length(const Segment& segment, const std::vector<double>& ends) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    length += (ends[i + 1] - ends[i]) * speed(segment.jet(0.5 * (ends[i] + ends[i + 1]), 1));
+  return length;
+}
 
 }  // namespace
 
 ArcMap::ArcMap(const Curve& curve) : closed_(curve.closed()), starts_{0.0} {
   for (int i = 0; i < curve.size(); ++i) {
     first_.push_back(panels_.size());
-    const Segment& segment = curve.segment(i);
-    append_panels(segment, 0.0, 1.0, accuracy + speed_noise(segment, 0.5), 0);
+    append_segment(curve.segment(i));
     double length = 0.0;
     for (std::size_t k = first_.back(); k < panels_.size(); ++k) {
       panels_[k].start = length;
@@ -27,7 +38,15 @@ ArcMap::ArcMap(const Curve& curve) : closed_(curve.closed()), starts_{0.0} {
   first_.push_back(panels_.size());
 }
 
-void ArcMap::append_panels(const Segment& segment, double t0, double t1, double allowed, int depth) {
+void ArcMap::append_segment(const Segment& segment) {
+  const std::vector<double> ends = steady_stretches(segment);
+  const double rough = rough_length(segment, ends);
+  Aim aim{aimed_at * rough};
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) append_panels(segment, ends[i], ends[i + 1], 0, aim);
+  accurate_ = accurate_ && aim.missed <= promised * rough + aim.noise;
+}
+
+void ArcMap::append_panels(const Segment& segment, double t0, double t1, int depth, Aim& aim) {
   const PanelRule& rule = PanelRule::get();
   const double half = 0.5 * (t1 - t0);
   const double mid = 0.5 * (t0 + t1);
@@ -44,15 +63,17 @@ void ArcMap::append_panels(const Segment& segment, double t0, double t1, double 
     kronrod += rule.weight[i] * v;
     gauss += rule.gauss_weight[i] * v;
   }
-  if (depth == 0) allowed *= kronrod;
-  const bool accurate = kronrod_error(kronrod, gauss) <= allowed;
+  const double error = kronrod_error(kronrod, gauss);
+  const double noise = speed_noise(jets[PanelRule::count / 2]) * kronrod;
   const bool enough = depth == max_depth || panels_.size() - first_.back() >= most_panels;
-  if (accurate || enough || !std::isfinite(kronrod)) {
+  if (error <= aim.error + noise || enough || !std::isfinite(kronrod)) {
     panels_.push_back({t0, t1, 0.0, rule.legendre * speeds, kronrod});
+    aim.missed += error;
+    aim.noise += noise;
     return;
   }
-  append_panels(segment, t0, mid, allowed, depth + 1);
-  append_panels(segment, mid, t1, allowed, depth + 1);
+  append_panels(segment, t0, mid, depth + 1, aim);
+  append_panels(segment, mid, t1, depth + 1, aim);
 }
 
 double ArcMap::segment_length(int segment) const {

@@ -14,15 +14,20 @@ constexpr double coincident = 1e-6;  // offset over the local chord
 
 struct Extremum {
   double position;  ///< arc length
-  bool maximum;     ///< of signed curvature
-  double curvature;
+  bool least;       ///< of |curvature|, not largest
 };
+
+/// A curvature of 0 is the least, be it a maximum or a minimum of the signed one.
+bool is_least(const TurningPoint& turn, double curvature, double unit) {
+  constexpr double rounding = 1e-9;  // as turning points are told from it
+  return std::abs(curvature) <= rounding * unit || turn.maximum == (curvature < 0.0);
+}
 
 std::vector<Extremum> extrema_of(const Curve& curve, const CurvatureProfile& profile, const ArcMap& arcs) {
   std::vector<Extremum> extrema;
   for (const TurningPoint& turn : turning_points(profile, curve.closed())) {
     const ProfilePoint& point = profile.points[turn.index];
-    extrema.push_back({arcs.position(point.place), turn.maximum, point.curvature});
+    extrema.push_back({arcs.position(point.place), is_least(turn, point.curvature, profile.unit)});
   }
   std::sort(extrema.begin(), extrema.end(),
             [](const Extremum& a, const Extremum& b) { return a.position < b.position; });
@@ -34,23 +39,42 @@ double distance_along(double a, double b, const Curve& curve, double length) {
   return curve.closed() ? std::min(direct, length - direct) : direct;
 }
 
-/// The nearest of `extrema` (ascending, not empty): a neighbour in order, or around the closure.
-const Extremum& nearest(const std::vector<Extremum>& extrema, double position, const Curve& curve, double length) {
+/// The distance to the nearest of `extrema` (ascending, not empty): a neighbour in order, or around the closure.
+double distance_to_nearest(const std::vector<Extremum>& extrema, double position, const Curve& curve, double length) {
   const auto after = std::lower_bound(extrema.begin(), extrema.end(), position,
                                       [](const Extremum& e, double p) { return e.position < p; });
-  const Extremum* best = &extrema.front();
-  const auto consider = [&](const Extremum& candidate) {
-    const double d = distance_along(candidate.position, position, curve, length);
-    if (d < distance_along(best->position, position, curve, length)) best = &candidate;
-  };
-  if (after != extrema.end()) consider(*after);
-  if (after != extrema.begin()) consider(*std::prev(after));
-  consider(extrema.back());
-  return *best;
+  const auto to = [&](const Extremum& e) { return distance_along(e.position, position, curve, length); };
+  double least = std::min(to(extrema.front()), to(extrema.back()));
+  if (after != extrema.end()) least = std::min(least, to(*after));
+  if (after != extrema.begin()) least = std::min(least, to(*std::prev(after)));
+  return least;
 }
 
-Vec2 at(const Curve& curve, const PlacedNode& node) {
-  return curve.segment(node.node.segment).jet(node.node.t, 0).position();
+/// Is |curvature| least at all extrema within `reach`? Where curvature jumps a node may be at a minimum on one side and
+/// at a maximum on the other.
+bool all_least_within(const std::vector<Extremum>& extrema, double reach, double position, const Curve& curve,
+                      double length) {
+  const auto all_least_at = [&](double s) {
+    auto e = std::lower_bound(extrema.begin(), extrema.end(), s - reach,
+                              [](const Extremum& extremum, double p) { return extremum.position < p; });
+    while (e != extrema.end() && e->position <= s + reach && e->least) ++e;
+    return e == extrema.end() || e->position > s + reach;
+  };
+  return all_least_at(position) &&
+         (!curve.closed() || (all_least_at(position - length) && all_least_at(position + length)));
+}
+
+/// The mean distance of an input point from its neighbours, or from the only one. A curve that passes its point twice,
+/// as a loop does, has one local chord there.
+double local_chord(const Input& input, int point) {
+  const int n = input.size();
+  if (point < 0 || point >= n) return mean_chord(input);
+  const auto at = [&](int i) { return input.points[static_cast<std::size_t>((i + n) % n)]; };
+  std::vector<double> chords;
+  for (const int neighbour : {point - 1, point + 1})
+    if (input.closed || (neighbour >= 0 && neighbour < n)) chords.push_back((at(neighbour) - at(point)).norm());
+  const double local = mean(chords);
+  return local > 0.0 ? local : mean_chord(input);
 }
 
 }  // namespace
@@ -65,20 +89,14 @@ Metric extremum_offset_metric() {
     std::vector<double> offsets;
     double hits = 0.0;
     double minima = 0.0;
-    const std::size_t n = nodes.size();
-    for (std::size_t i = 0; i < n && !extrema.empty(); ++i) {
-      if (at_end(nodes[i], curve, arcs)) continue;
-      const Vec2 here = at(curve, nodes[i]);
-      const Vec2 before = i > 0 ? at(curve, nodes[i - 1]) : curve.closed() ? at(curve, nodes.back()) : curve.start();
-      const Vec2 after = i + 1 < n ? at(curve, nodes[i + 1]) : curve.closed() ? at(curve, nodes.front()) : curve.end();
-      const double chords = (here - before).norm() + (after - here).norm();
-      const double local = chords > 0.0 ? 0.5 * chords : mean_chord(fit.input);
-      const Extremum& extremum = nearest(extrema, nodes[i].position, curve, arcs.length());
-      const double offset = distance_along(extremum.position, nodes[i].position, curve, arcs.length()) / local;
-      offsets.push_back(offset);
-      if (offset > coincident) continue;
+    for (const PlacedNode& node : nodes) {
+      if (!arcs.accurate() || extrema.empty() || at_end(node, curve, arcs)) continue;
+      const double local = local_chord(fit.input, node.node.point);
+      const double distance = distance_to_nearest(extrema, node.position, curve, arcs.length());
+      offsets.push_back(distance / local);
+      if (offsets.back() > coincident) continue;
       hits += 1.0;
-      if (extremum.maximum == (extremum.curvature < 0.0)) minima += 1.0;
+      if (all_least_within(extrema, coincident * local, node.position, curve, arcs.length())) minima += 1.0;
     }
     const double fraction = offsets.empty() ? undefined : hits / static_cast<double>(offsets.size());
     // Arc lengths are quadrature, and so is what is within some distance of a node.
@@ -90,7 +108,7 @@ Metric extremum_offset_metric() {
   using namespace column;
   return {.id = "extremum_offset",
           .title = "Distance from points to curvature extrema",
-          .version = 2,
+          .version = 3,
           .columns = {extremum_offset_mean, extremum_offset_max, nodes_at_extremum, nodes_at_curvature_minimum},
           .measure = measure};
 }

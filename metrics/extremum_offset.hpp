@@ -12,8 +12,9 @@ inline const Column extremum_offset_max{"extremum_offset_max", "1", "the same, l
 inline const Column nodes_at_extremum{"nodes_at_extremum", "1",
                                       "fraction of the interior nodes within 1e-6 of the local chord; NaN without "
                                       "interior nodes or without extrema"};
-inline const Column nodes_at_curvature_minimum{"nodes_at_curvature_minimum", "1",
-                                               "number of interior nodes where |curvature| has a local minimum"};
+inline const Column nodes_at_curvature_minimum{
+    "nodes_at_curvature_minimum", "1",
+    "number of these nodes where |curvature| has a local minimum and, on neither side, a maximum"};
 }  // namespace column
 
 /// How far each point is, along the curve, from the nearest extremum of curvature.

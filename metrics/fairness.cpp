@@ -1,7 +1,10 @@
 #include "metrics/fairness.hpp"
 
 #include <cmath>
+#include <limits>
 
+#include "metrics/angle_turned.hpp"
+#include "metrics/arc_map.hpp"
 #include "metrics/arc_samples.hpp"
 #include "metrics/curvature_profile.hpp"
 #include "metrics/statistics.hpp"
@@ -10,28 +13,39 @@
 namespace kappabench {
 namespace {
 
-struct Integrals {
-  double length = 0.0;
-  double bending = 0.0;
-  double variation = 0.0;  ///< of (d kappa / ds)^2
-  double turning = 0.0;
-  bool cusp = false;
+/// Is there a cusp, or a segment at rest at an end where its curvature diverges?
+bool diverges(const Curve& curve, const CurvatureProfile& profile, const ArcMap& arcs) {
+  for (int i = 0; i < curve.size(); ++i) {
+    const double length = arcs.segment_length(i);
+    if (profile.cusp_within(i, 0.0, 1.0) || diverges_at_end(curve.segment(i), 0.0, length) ||
+        diverges_at_end(curve.segment(i), 1.0, length))
+      return true;
+  }
+  return false;
+}
+
+struct Energies {
+  Estimate bending;
+  Estimate variation;  ///< of (d kappa / ds)^2
 };
 
-Integrals integrate(const Curve& curve, const CurvatureProfile& profile) {
-  Integrals sum;
+Energies energies_of(const Curve& curve, const CurvatureProfile& profile) {
+  Energies sum;
   for (int i = 0; i < curve.size(); ++i) {
     std::vector<double> splits = profile.splits(i);
     for (const RootBracket& bracket : inflections(curve.segment(i)).at) splits.push_back(bracket.mid());
-    for (const ArcSample& sample : arc_samples(curve.segment(i), 0.0, 1.0, splits)) {
-      sum.length += sample.weight;
-      sum.bending += sample.weight * sample.curvature * sample.curvature;
-      sum.variation += sample.weight * sample.rate * sample.rate;
-      sum.turning += sample.weight * std::abs(sample.curvature);
-    }
-    sum.cusp = sum.cusp || profile.cusp_within(i, 0.0, 1.0);
+    const ArcQuadrature over = arc_quadrature(curve.segment(i), 0.0, 1.0, splits);
+    sum.bending += over.bending;
+    sum.variation += over.variation;
   }
   return sum;
+}
+
+double total_turning_of(const Curve& curve, const ArcMap& arcs) {
+  double turned = 0.0;
+  for (int i = 0; i < curve.size(); ++i)
+    if (arcs.segment_length(i) > 0.0) turned += angle_turned(curve.segment(i), arcs.segment_length(i));
+  return turned;
 }
 
 /// From the profile alone: exact, with the jumps at joints.
@@ -58,24 +72,28 @@ Metric fairness_metric() {
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const CurvatureProfile profile = curvature_profile(curve);
-    const Integrals sum = integrate(curve, profile);
-    const double length = sum.length;
-    const auto finite_or_divergent = [&](double value) {
-      return sum.cusp ? std::numeric_limits<double>::infinity() : value;
-    };
+    const ArcMap arcs(curve);
+    const double length = arcs.accurate() ? arcs.length() : undefined;
+    double bending = std::numeric_limits<double>::infinity();
+    double mvc = bending;
+    double variation = bending;
+    if (!diverges(curve, profile, arcs)) {
+      const Energies energies = energies_of(curve, profile);
+      bending = energies.bending.to_accuracy() * length;
+      mvc = energies.variation.to_accuracy() * length * length * length;
+      variation = total_variation(profile, curve.closed()) * length;
+    }
     using enum Method;
-    return std::vector<Measurement>{
-        column::bending_energy(finite_or_divergent(sum.bending * length), sampled),
-        column::mvc_energy(finite_or_divergent(sum.variation * length * length * length), sampled),
-        // The variation is that of the extrema, but the length is quadrature.
-        column::curvature_variation(finite_or_divergent(total_variation(profile, curve.closed()) * length), sampled),
-        column::total_turning(sum.turning, sampled),
-        column::length_over_chords(length / chord_length(fit.input), sampled)};
+    return std::vector<Measurement>{column::bending_energy(bending, sampled), column::mvc_energy(mvc, sampled),
+                                    // The variation is that of the extrema, but the length is quadrature.
+                                    column::curvature_variation(variation, sampled),
+                                    column::total_turning(total_turning_of(curve, arcs), sampled),
+                                    column::length_over_chords(length / chord_length(fit.input), sampled)};
   };
   using namespace column;
   return {.id = "fairness",
           .title = "Fairness energies, free of scale",
-          .version = 2,
+          .version = 3,
           .columns = {bending_energy, mvc_energy, curvature_variation, total_turning, length_over_chords},
           .measure = measure};
 }

@@ -80,10 +80,4 @@ double kronrod_error(double kronrod, double gauss) {
   return size > 0.0 ? size * std::min(1.0, std::pow(200.0 * difference / size, 1.5)) : difference;
 }
 
-double speed_noise(const Segment& segment, double t) {
-  const Jet jet = segment.jet(t, 1);
-  const double v = speed(jet);
-  return v > 0.0 ? std::min(1e-6, 0x1p-47 * jet.position().cwiseAbs().maxCoeff() / v) : 0.0;
-}
-
 }  // namespace kappabench

@@ -3,8 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "schemes/curve/segment.hpp"
-
 namespace kappabench {
 
 /// The 15-point Gauss-Kronrod rule on [-1, 1] and the polynomial of degree 14 through its nodes.
@@ -27,9 +25,5 @@ struct PanelRule {
 
 /// The error of the 15-point rule from its difference to the 7-point one, as QUADPACK estimates it.
 [[nodiscard]] double kronrod_error(double kronrod, double gauss);
-
-/// Relative rounding noise of the speed, from coordinates that are large against the segment: no quadrature gets
-/// below it.
-[[nodiscard]] double speed_noise(const Segment& segment, double t);
 
 }  // namespace kappabench

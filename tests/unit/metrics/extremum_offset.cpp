@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "schemes/segments/clothoid.hpp"
 #include "tests/catch.hpp"
+#include "tests/schemes.hpp"
 #include "tests/unit/metrics/curves.hpp"
 
 using namespace kappabench;
@@ -52,4 +54,37 @@ TEST_CASE("on a closed curve the way around the closure counts", "[offset]") {
   // largest.
   CHECK(value(fit, "extremum_offset", "extremum_offset_max") < 0.01);
   CHECK(value(fit, "extremum_offset", "nodes_at_extremum") == 0.5);
+}
+
+TEST_CASE("both passages of a loop have the chords of its point", "[offset]") {
+  Input loops{{{0, 0}, {36, 34}, {60, 4}, {84, 34}, {120, 0}}, false, std::vector<PointOptions>(5), {}};
+  for (const std::size_t i : {1U, 3U}) {
+    loops.options[i].type = PointType::loop;
+    loops.options[i].alpha = loops.options[i].beta = 0.36;
+  }
+  const Fit fit = scheme("fpc")->fit(loops);
+  REQUIRE(fit.curve);
+  // From an independent measurement of the curve as it is written out, to three digits.
+  CHECK(value(fit, "extremum_offset", "extremum_offset_max") == Approx(0.657).margin(0.0005));
+}
+
+TEST_CASE("a node with a maximum on one side and a minimum on the other is at no minimum", "[offset]") {
+  // Curvature rises to the joint, jumps down, and rises again; backwards and in a mirror the answer is the same.
+  const auto arc = [](double curvature, double rate, const Vec2& start, double angle) {
+    return std::make_shared<ClothoidSegment>(ClothoidForm{start, angle, curvature, rate, 1.0});
+  };
+  for (const double side : {1.0, -1.0}) {
+    const SegmentPtr one = arc(side * 1.0, side * 1.0, {0, 0}, 0.0);
+    const Jet end = one->jet(1.0, 1);
+    const Curve saw({one, arc(side * 0.5, side * 1.0, end.position(), tangent_angle(end))}, {{0, Continuity::g1}},
+                    {{0, 0, 0.0}, {1, 0, 1.0}, {2, 1, 1.0}}, false);
+    CHECK(value(fit_of(saw), "extremum_offset", "nodes_at_extremum") == 1.0);
+    CHECK(value(fit_of(saw), "extremum_offset", "nodes_at_curvature_minimum") == 0.0);
+    // Falls to the joint and rises from it, without a jump.
+    const SegmentPtr falling = arc(side * 2.0, -side * 1.0, {0, 0}, 0.0);
+    const Jet middle = falling->jet(1.0, 1);
+    const Curve valley({falling, arc(side * 1.0, side * 1.0, middle.position(), tangent_angle(middle))},
+                       {{0, Continuity::g2}}, {{0, 0, 0.0}, {1, 0, 1.0}, {2, 1, 1.0}}, false);
+    CHECK(value(fit_of(valley), "extremum_offset", "nodes_at_curvature_minimum") == 1.0);
+  }
 }
