@@ -21,9 +21,10 @@ set(allowed_experiments/study ${allowed_experiments/run} experiments/run)
 foreach(folder ${paper_folders} experiments/across)
   set(allowed_${folder} ${allowed_experiments/study} schemes experiments/study)
 endforeach()
-set(allowed_experiments/program ${allowed_experiments/study} experiments/study experiments/across)
+set(allowed_experiments/check schemes/curve schemes/api metrics datasets)
+set(allowed_experiments/program ${allowed_experiments/study} experiments/study experiments/across experiments/check)
 set(rooms schemes/numerics schemes/curve schemes/segments schemes/api ${scheme_folders} metrics datasets reports
-          experiments/run experiments/study ${paper_folders} experiments/across experiments/program)
+          experiments/run experiments/study ${paper_folders} experiments/across experiments/check experiments/program)
 
 set(violations "")
 set(checked 0)

@@ -36,6 +36,7 @@ struct CommandLine {
   FitArguments fit_arguments{};
   HermiteArguments hermite_arguments{};
   CompareArguments compare_arguments{};
+  CheckArguments check_arguments{};
   RunArguments run_arguments{};
   ReproduceArguments reproduce_arguments{};
   MergeArguments merge_arguments{};
@@ -48,6 +49,7 @@ struct CommandLine {
     add_fit(registry);
     add_hermite(registry);
     add_compare(registry);
+    add_check(registry);
     add_run(registry);
     add_reproduce(registry);
     add_merge(registry);
@@ -104,6 +106,16 @@ struct CommandLine {
         ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
     verb->add_option("-o,--output", compare_arguments.output, "folder for results, figures and index.html");
     verb->callback([&] { status = compare(registry, compare_arguments); });
+  }
+
+  void add_check(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("check", "Try every claim that a scheme makes of itself");
+    verb->add_option("SCHEME", check_arguments.scheme, "ID[:key=value,...]");
+    verb->add_flag("--all", check_arguments.all, "every scheme: one line each, then what is refuted");
+    verb->add_flag("--json", check_arguments.json, "as JSON");
+    verb->add_option("-o,--output", check_arguments.output, "file to write; default: standard output");
+    verb->footer("Exit status 0 if nothing is refuted, 3 if something is.");
+    verb->callback([&] { status = check_verb(registry, check_arguments); });
   }
 
   void add_run(const Registry& registry) {

@@ -44,6 +44,14 @@ struct CompareArguments {
 };
 int compare(const Registry& registry, const CompareArguments& arguments);
 
+struct CheckArguments {
+  std::string scheme{};  ///< ID[:key=value,...]; empty with `all`
+  bool all = false;
+  bool json = false;
+  std::filesystem::path output{};  ///< empty: standard output
+};
+int check_verb(const Registry& registry, const CheckArguments& arguments);
+
 struct RunArguments {
   std::vector<std::string> plans_or_experiments;
   std::filesystem::path results{};

@@ -120,6 +120,11 @@ TEST_CASE("wrong arguments and bad input are one line and exit status 2") {
   refused(run(folder, "report five.txt -o report"), "five.txt");
   refused(run(folder, "compare five.txt --metrics beauty"), "unknown metric 'beauty'");
   refused(run(folder, "list things"), "things");
+  refused(run(folder, "check"), "give one scheme, ID[:key=value,...], or --all");
+  refused(run(folder, "check kappa --all"), "give one scheme");
+  refused(run(folder, "check lambda"), "unknown scheme 'lambda'; known are");
+  refused(run(folder, "check ekappa:a=1"), "a=1: allowed is a number in [0.6667, 1)");
+  refused(run(folder, "check catmull-rom -o nowhere/page.txt"), "nowhere/page.txt");
 }
 
 TEST_CASE("what was there before is kept when a fit fails") {
@@ -153,6 +158,31 @@ TEST_CASE("list schemes --json says which marks a scheme may set on a node, and 
   CHECK(marks == std::vector<std::string>{"pinned", "at_inflection", "curvature_minimum"});
   CHECK(schemes.at("catmull-rom").at("marks") == json::array());
   CHECK(schemes.at("pkappa").at("libraries").contains("ceres"));
+}
+
+TEST_CASE("check prints a table of claims, or JSON, and says by its status whether one is refuted") {
+  const ScratchFolder folder;
+  const Ran page = run(folder, "check catmull-rom");
+  CHECK(page.err.empty());
+  CHECK(page.out.starts_with("catmull-rom: Cubic Catmull-Rom spline\n"));
+  const Ran quiet = run(folder, "check catmull-rom:alpha=0 --json -o page.json");
+  CHECK(quiet.out.empty());
+  const json all = json::parse(contents(folder.path() / "page.json"));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0]["scheme"] == "catmull-rom:alpha=0");
+  std::map<std::string, std::string> verdicts;
+  for (const json& claim : all[0]["claims"]) verdicts[claim["claim"]] = claim["verdict"];
+  CHECK(verdicts.at("interpolation") == "held");
+  CHECK(verdicts.at("hermite") == "not claimed");
+  bool refuted = false;
+  for (const auto& entry : verdicts) refuted = refuted || entry.second == "refuted";
+  CHECK(all[0]["sound"] == !refuted);
+  CHECK(quiet.status == (refuted ? 3 : 0));
+  // A claim that its own parameters make false: one sweep does not solve anything.
+  const Ran lazy = run(folder, "check kappa:iteration=published,max_iterations=1");
+  CHECK(lazy.status == 3);
+  CHECK_THAT(lazy.out, ContainsSubstring("solves is refuted"));
+  CHECK_THAT(lazy.out, ContainsSubstring("$ kappabench fit random:star:n=5"));
 }
 
 TEST_CASE("list names schemes, datasets, metrics and experiments") {
