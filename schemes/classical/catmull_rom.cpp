@@ -21,8 +21,9 @@ SchemeInfo CatmullRom::describe() {
                           .most = 1.0}},
           .traits = {.fewest_open_points = 2,
                      .continuity = Continuity::g1,
-                     .continuity_exceptions = "points where the speed vanishes",
-                     .locality = 2}};
+                     .continuity_exceptions = "points where the speed vanishes: G0",
+                     .locality = 2},
+          .version = 2};
 }
 
 CatmullRom::CatmullRom(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}
@@ -65,8 +66,7 @@ Fit CatmullRom::solve(const Input& input) const {
     segments.push_back(std::make_shared<PolynomialSegment>(control));
   }
   return {.input = input,
-          .curve =
-              Curve(std::move(segments), joints_at_points(input, Continuity::g1), nodes_at_joints(input), input.closed),
+          .curve = curve_through_joints(std::move(segments), input.closed, Continuity::g1),
           .report = {.outcome = Outcome::converged}};
 }
 

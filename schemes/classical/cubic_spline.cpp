@@ -21,7 +21,8 @@ SchemeInfo CubicSpline::describe() {
                           .choices = {"chord", "centripetal", "uniform"}}},
           .traits = {.fewest_open_points = 2,
                      .continuity = Continuity::g2,
-                     .continuity_exceptions = "points where the speed vanishes (cusps of uneven input)"}};
+                     .continuity_exceptions = "points where the speed vanishes (cusps of uneven input): G0"},
+          .version = 2};
 }
 
 CubicSpline::CubicSpline(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}
@@ -96,8 +97,7 @@ Fit CubicSpline::solve(const Input& input) const {
                                        m.row(static_cast<Eigen::Index>(next)), h[i]));
   }
   return {.input = input,
-          .curve =
-              Curve(std::move(segments), joints_at_points(input, Continuity::g2), nodes_at_joints(input), input.closed),
+          .curve = curve_through_joints(std::move(segments), input.closed, Continuity::g2),
           .report = {.outcome = Outcome::converged, .iterations = 1, .residual = residual}};
 }
 

@@ -11,8 +11,8 @@ namespace kappabench {
 /// alpha 0 uniform, 1/2 centripetal (Lee 1989), 1 chord length. Consecutive points must not coincide.
 [[nodiscard]] std::vector<double> span_lengths(const Input& input, double alpha);
 
-/// Nodes and joints of a curve whose segment i runs from point i to the next one: every joint is at a point.
-[[nodiscard]] std::vector<Node> nodes_at_joints(const Input& input);
-[[nodiscard]] std::vector<Joint> joints_at_points(const Input& input, Continuity claimed);
+/// The curve whose segment i runs from point i to the next one: every joint is at a point, and as smooth as said where
+/// the path has a direction there and does not turn back (claim_at).
+[[nodiscard]] Curve curve_through_joints(std::vector<SegmentPtr> segments, bool closed, Continuity smooth);
 
 }  // namespace kappabench

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "schemes/fpc/marks.hpp"
+#include "schemes/segments/joint_claim.hpp"
 #include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 
@@ -30,11 +31,6 @@ Piece piece_of(const CubicChain& chain, const State& state, std::size_t k) {
   if (std::abs(area) <= straight * x.norm() * y.norm()) return {k, 0, 0};
   const int turn = area > 0.0 ? 1 : -1;
   return {k, chain.cubic[k].start_numerator > 0.0 ? turn : -turn, chain.cubic[k].end_numerator > 0.0 ? turn : -turn};
-}
-
-bool same_magnitude(const Segment& before, const Segment& behind) {
-  const double k0 = std::abs(curvature(before.jet(1.0, 2))), k1 = std::abs(curvature(behind.jet(0.0, 2)));
-  return std::abs(k0 - k1) <= 1e-9 * std::max(k0, k1);
 }
 
 class Assembly {
@@ -107,13 +103,13 @@ class Assembly {
     for (std::size_t j = 0; j < met; ++j) {
       const std::size_t behind = (j + 1) % count;
       const bool s_shaped = pieces_[j].end_sign * pieces_[behind].start_sign < 0;
-      Continuity claimed = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
+      const Continuity smooth = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
       counters_["s_joints"] += s_shaped;
-      // A segment that has shrunk in between may have turned from one curvature to another.
-      if (chain_.next(pieces_[j].number) != pieces_[behind].number &&
-          !same_magnitude(*segments_[j], *segments_[behind]))
-        claimed = Continuity::g1;
-      joints_.push_back({static_cast<int>(j), claimed});
+      // A segment that has shrunk in between may have turned from one direction and curvature to others.
+      const bool adjacent = chain_.next(pieces_[j].number) == pieces_[behind].number;
+      joints_.push_back({static_cast<int>(j), adjacent
+                                                  ? claim_at(*segments_[j], *segments_[behind], smooth)
+                                                  : claim_across_point(*segments_[j], *segments_[behind], smooth)});
     }
   }
 

@@ -82,10 +82,13 @@ SchemeInfo FpcScheme::describe() {
                       .help = "the most steps of iteration=published, 0 for its start (newton has its own bounds)",
                       .least = 0,
                       .most = 1000000}},
-      .traits = {.continuity = Continuity::g2,
+      .traits = {.fewest_open_points = 2,
+                 .continuity = Continuity::g2,
                  .continuity_exceptions = "where the curvature changes sign at a joint: G1 with equal |curvature|; "
-                                          "cusps at points of that type",
+                                          "where a segment has shrunk to its point: G1, or G0 if the path turns back "
+                                          "there; cusps at points of that type",
                  .reversal_invariant = false},
+      .version = 2,
       .marks = {{std::string(fpc::marks::at_inflection),
                  "the point's own segment has shrunk to nothing at an inflection; the node is the joint of its "
                  "neighbours"}}};

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,7 @@ SchemeInfo Intrinsic::describe() {
                       .help = "at a point: from the clothoids of both spans, or of the circle",
                       .choices = {"clothoid", "circle"}}},
       .traits = {.fewest_open_points = 2, .continuity = Continuity::g2, .locality = 6, .hermite = true},
+      .version = 2,
       .libraries = {{"xsimd", xsimd_version()}}};
 }
 
@@ -146,6 +148,10 @@ std::string reason_folded(const Input& input) {
   return "";
 }
 
+/// Said where the user gave both curvatures and they have no monotone solution.
+constexpr std::string_view what_else_meets_it =
+    "; the scheme clothoid3 meets such data by three clothoids, auto=false on fixed knots";
+
 /// The worst of the spans' outcomes, and what they count.
 Report report_of(const std::vector<SpanFit>& spans) {
   Report report{.outcome = Outcome::converged};
@@ -180,6 +186,8 @@ Fit Intrinsic::solve(const Input& input) const {
   std::vector<double> headings = headings_of(input, estimates_.heading);
   relax_headings(input, headings, estimates_.rounds);
   std::vector<HermiteData> data = spans_with_headings(input, headings);
+  if (!g2_)
+    for (HermiteData& span : data) span.from.curvature = span.to.curvature = std::nullopt;
   const std::vector<HermiteData> given = data;
   // Two points have nothing that a curvature could be estimated from: what is not given stays free.
   if (g2_ && data.size() > 1) estimate_curvatures(input, data, estimates_.curvature);
@@ -191,8 +199,8 @@ Fit Intrinsic::solve(const Input& input) const {
     spans.push_back(fit_span(data[i], settings_, !prescribed));
     const HermiteFit& fit = spans.back().fit;
     if (!fit.curve)
-      return without_curve(fit.outcome,
-                           fmt::format("from point {} to {}: {}", i, (i + 1) % input.points.size(), fit.message));
+      return without_curve(fit.outcome, fmt::format("from point {} to {}: {}{}", i, (i + 1) % input.points.size(),
+                                                    fit.message, prescribed ? what_else_meets_it : ""));
   }
   const Continuity claimed = info().traits.continuity;
   std::vector<SpanPieces> pieces;

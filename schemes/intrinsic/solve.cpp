@@ -91,8 +91,14 @@ StandardCurve circular_arc(const StandardData& data, const Settings& settings) {
 HermiteFit solve_automatically(const StandardData& data, const Settings& settings) {
   const Viability v = viability(data);
   constexpr double rounding = 1e-12;
-  if (v.only_circle() && std::max(std::abs(v.start_slack), std::abs(v.end_slack)) <= rounding)
+  if (v.only_circle() && std::max(std::abs(v.start_slack), std::abs(v.end_slack)) <= rounding) {
+    const bool straight_back = std::abs(std::sin(data.chord_angle)) <= rounding && std::cos(data.chord_angle) < 0.0;
+    if (straight_back)
+      return {Outcome::unsupported_input,
+              "no monotone curvature: a line that leaves straight away from the next point does not come back",
+              std::nullopt, 0, 0.0};
     return judged(data, circular_arc(data, settings), 0, true);
+  }
   if (!v.viable())
     return {Outcome::unsupported_input, "no monotone curvature: " + reason_not_viable(v), std::nullopt, 0, 0.0};
   MonotoneSolution solution = solve_monotone(data);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "schemes/kappa/marks.hpp"
+#include "schemes/segments/joint_claim.hpp"
 #include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 #include "schemes/segments/trigonometric.hpp"
@@ -15,7 +16,8 @@
 namespace kappabench::kappa {
 namespace {
 
-/// A segment whose joints are both this near to its point, over the point's size, has shrunk to the point.
+/// A segment whose joints are both this near to its point, over the point's size, has shrunk to the point, whatever
+/// made it so small.
 constexpr double shrunk = 1e-11;
 
 SegmentPtr make_segment(SegmentKind kind, double a, const Vec2& c0, const Vec2& c1, const Vec2& c2) {
@@ -45,11 +47,6 @@ bool at_minimum(const ChordChain& chain, std::size_t i, const Vec2& e, const End
   return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
 }
 
-bool same_magnitude(const Segment& before, const Segment& after) {
-  const double k0 = std::abs(curvature(before.jet(1.0, 2))), k1 = std::abs(curvature(after.jet(0.0, 2)));
-  return std::abs(k0 - k1) <= 1e-9 * std::max(k0, k1);
-}
-
 }  // namespace
 
 Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain, const State& state,
@@ -65,7 +62,8 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
   std::vector<bool> gone(m + 2, false);
   for (std::size_t i = 1; i <= m; ++i) {
     q[i] = ends(chain, state, ratios, i);
-    gone[i] = m > 1 && q[i].x.norm() < shrunk * chain.size[i] && q[i].y.norm() < shrunk * chain.size[i];
+    gone[i] = setting.form[i] == Form::shrunk ||
+              (m > 1 && q[i].x.norm() < shrunk * chain.size[i] && q[i].y.norm() < shrunk * chain.size[i]);
     const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
     const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
     const double turn = cross(before, after);
@@ -114,11 +112,11 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     const std::size_t after = (k + 1) % count;
     const bool s_shaped = pieces[k].sign * pieces[after].sign < 0;
     counters["s_joints"] += s_shaped;
-    Continuity claimed = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
-    // A segment that shrank in between may have turned from one curvature to another.
-    if (chain.next(pieces[k].number) != pieces[after].number && !same_magnitude(*segments[k], *segments[after]))
-      claimed = Continuity::g1;
-    joints.push_back({static_cast<int>(k), claimed});
+    const Continuity smooth = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
+    // A segment that shrank in between may have turned from one direction and curvature to others.
+    const bool adjacent = chain.next(pieces[k].number) == pieces[after].number;
+    joints.push_back({static_cast<int>(k), adjacent ? claim_at(*segments[k], *segments[after], smooth)
+                                                    : claim_across_point(*segments[k], *segments[after], smooth)});
   }
   if (!input.closed) add_end_nodes(nodes, input.size(), static_cast<int>(segments.size()));
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "schemes/kappa/assemble.hpp"
 #include "schemes/kappa/cascade.hpp"
 #include "schemes/kappa/published_iteration.hpp"
+#include "schemes/kappa/shrunken.hpp"
 #include "schemes/kappa/windows.hpp"
 #include "schemes/segments/open_curve.hpp"
 
@@ -28,8 +30,11 @@ std::vector<ParameterSpec> iteration_parameters() {
 }
 
 SchemeTraits family_traits() {
-  return {.continuity = Continuity::g2,
-          .continuity_exceptions = "where the curvature changes sign (S-joints): G1 with equal |curvature|"};
+  return {.fewest_open_points = 2,
+          .continuity = Continuity::g2,
+          .continuity_exceptions =
+              "where the curvature changes sign (S-joints): G1 with equal |curvature|; where a segment has shrunk to "
+              "its point: G1, or G0 if the path turns back there"};
 }
 
 Iteration iteration_of(const Parameters& parameters) {
@@ -78,9 +83,19 @@ Solution iterate_published(const ChordChain& chain, int most) {
   return solution;
 }
 
-Solution solve_by_newton(const ChordChain& chain) {
-  if (chain.segments() > longest_whole_chain) return solve_in_windows(chain);
-  return solve_chain(chain, initial_state(chain), nullptr, Attempts::all, true);
+Solution solve_by_newton(const ChordChain& chain, double rounding) {
+  Solution solution = chain.segments() > longest_whole_chain
+                          ? solve_in_windows(chain)
+                          : solve_chain(chain, initial_state(chain), nullptr, Attempts::all, true);
+  shrink_at_inflections(chain, rounding, solution);
+  return solution;
+}
+
+/// One unit in the last place of the largest coordinate.
+double rounding_of(std::span<const Vec2> points) {
+  double largest = 0.0;
+  for (const Vec2& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return std::numeric_limits<double>::epsilon() * largest;
 }
 
 }  // namespace
@@ -98,8 +113,8 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
   }
   const BasisKind basis = kind == SegmentKind::trigonometric ? BasisKind::trigonometric : BasisKind::cubic;
   const ChordChain chain = make_chain(input.points, a, input.closed, basis);
-  const Solution solution =
-      iteration.published ? iterate_published(chain, iteration.max_iterations) : solve_by_newton(chain);
+  const Solution solution = iteration.published ? iterate_published(chain, iteration.max_iterations)
+                                                : solve_by_newton(chain, rounding_of(input.points));
 
   Fit fit{.input = input, .curve = std::nullopt, .report = {}};
   Report& report = fit.report;

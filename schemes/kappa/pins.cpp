@@ -1,10 +1,16 @@
 #include "schemes/kappa/pins.hpp"
 
+#include <cmath>
+
 namespace kappabench::kappa {
 namespace {
 
 constexpr double near_an_end = 0.3;  ///< of the parameter range, for a softened problem
 constexpr double at_an_end = 1e-3;   ///< for the problem itself
+
+/// No point can be pinned to the end of an open curve, which is another point.
+bool can_pin_start(const State& state, std::size_t i) { return !std::isinf(state.x[i - 1]); }
+bool can_pin_end(const State& state, std::size_t i) { return !std::isinf(state.x[i]); }
 
 /// The pinned form if the stationary point lies within `zone` of an end at which |kappa| is largest nearby, else
 /// the divided one. A stationary point inside, where the slope vanishes, is told from a softened pin, where it is
@@ -13,10 +19,10 @@ Form form_near_end(const ChordChain& chain, const State& state, const Values& va
   const double last = last_parameter(chain.basis), t = values.t[i];
   const Ends q = ends(chain, state, values.ratios, i);
   const auto slope = [&](double at) { return peak_slope(chain, i, state.e[i], q, at); };
-  if (t <= zone * last) {
+  if (t <= zone * last && can_pin_start(state, i)) {
     const double at_start = slope(0.0);
     if (at_start < 0.0 && slope(t) < 0.3 * at_start) return Form::at_start;
-  } else if (t >= (1.0 - zone) * last) {
+  } else if (t >= (1.0 - zone) * last && can_pin_end(state, i)) {
     const double at_end = slope(last);
     if (at_end > 0.0 && slope(t) > 0.3 * at_end) return Form::at_end;
   }
@@ -60,8 +66,8 @@ bool pin_worst(const ChordChain& chain, const State& state, const Values& values
     const double miss = values.miss[i].norm();
     if (setting.form[i] != Form::divided || miss <= largest) continue;
     const Ends q = ends(chain, state, values.ratios, i);
-    const bool start = peak_slope(chain, i, state.e[i], q, 0.0) < 0.0;
-    const bool end = peak_slope(chain, i, state.e[i], q, last) > 0.0;
+    const bool start = can_pin_start(state, i) && peak_slope(chain, i, state.e[i], q, 0.0) < 0.0;
+    const bool end = can_pin_end(state, i) && peak_slope(chain, i, state.e[i], q, last) > 0.0;
     if (!start && !end) continue;
     largest = miss;
     worst = i;

@@ -17,7 +17,8 @@ enum class Form : std::uint8_t {
   direct,     ///< b_0 X + b_1 e + b_2 Y, t the peak of |kappa| over the closed segment: any peak, ill conditioned
               ///< where the segment is almost straight
   at_start,   ///< X: the point is pinned to the joint before it
-  at_end      ///< Y: the point is pinned to the joint behind it
+  at_end,     ///< Y: the point is pinned to the joint behind it
+  shrunk      ///< X = Y = e = 0: the segment is its point, and no equation is left (shrunken.hpp)
 };
 
 /// What the equations are at one moment: a form for each segment (m + 2, the outer ones unused), and a smoothing

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "schemes/kappa/chain_part.hpp"
+
 namespace kappabench::kappa {
 namespace {
 
@@ -15,11 +17,6 @@ constexpr int last_newton_steps = 20;
 /// Further segments on each side of what a window is responsible for, pass by pass. The first pass covers the whole
 /// chain, later ones the spots that are still open; other widths give a spot that resisted other neighbours.
 constexpr std::array<std::size_t, 10> overlaps{14, 20, 10, 30, 6, 40, 16, 60, 24, 100};
-
-/// Segments [begin, begin + length) of a chain, counted from 1, around the seam if the chain is closed.
-struct Window {
-  std::size_t begin, length;
-};
 
 class WindowSolver {
  public:
@@ -79,40 +76,13 @@ class WindowSolver {
     return {first, std::min(end - 1 + wider, m) - first + 1};
   }
 
-  /// Number `k` counted from the segment before the window, as a number of the chain, 0 to m + 1.
-  [[nodiscard]] std::size_t number(const Window& w, std::size_t k) const {
-    const std::size_t i = w.begin + k - 1;
-    return chain_.closed ? (i + chain_.segments() - 1) % chain_.segments() + 1 : i;
-  }
-
   void solve_window(const Window& w, std::size_t pass) {
-    ChordChain part{.basis = chain_.basis, .closed = false, .chord = {}, .a = {}, .end = {}, .size = {}};
-    State state;
-    Setting setting{.form = std::vector<Form>(w.length + 2, Form::divided)};
-    for (std::size_t k = 0; k <= w.length + 1; ++k) {
-      const std::size_t i = number(w, k);
-      if (k <= w.length) {
-        part.chord.push_back(chain_.chord[i]);
-        state.x.push_back(solution_.state.x[i]);
-      }
-      part.a.push_back(chain_.a[i]);
-      part.end.push_back(chain_.end[i]);
-      part.size.push_back(chain_.size[i]);
-      state.e.push_back(solution_.state.e[i]);
-      setting.form[k] = solution_.setting.form[i];
-    }
+    const ChainPart part = part_of(chain_, solution_.state, solution_.setting, w);
     const Attempts attempts = pass % 3 == 2 ? Attempts::all : Attempts::usual;
-    Solution local = solve_chain(part, state, pass > 0 ? &setting : nullptr, attempts, false);
+    const Solution local = solve_chain(part.chain, part.state, pass > 0 ? &part.setting : nullptr, attempts, false);
     solution_.effort += local.effort;
     count(local.iterations, w.length);
-    if (!local.converged) return;
-    for (std::size_t k = 1; k <= w.length; ++k) {
-      const std::size_t i = number(w, k);
-      solution_.state.e[i] = local.state.e[k];
-      if (k < w.length) solution_.state.x[i] = local.state.x[k];
-      solution_.setting.form[i] = local.setting.form[k];
-    }
-    solution_.state.close(chain_);
+    if (local.converged) put_back(chain_, w, local.state, local.setting, solution_.state, solution_.setting);
   }
 
   void finish() {

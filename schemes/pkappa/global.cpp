@@ -203,7 +203,8 @@ Spline<K> solve_globally(const Input& input, const WindowSettings& settings, Glo
   phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
   JointChain second = chain;
   if (!one_stage) phase(second, *rule, settings.reduced_weights(), settings.second_iterations, settings.tolerance);
-  if (verify<K>(second, *rule).sound) chain = std::move(second);
+  report.second_stage_reverted = !verify<K>(second, *rule).sound;
+  if (!report.second_stage_reverted) chain = std::move(second);
 
   Spline<K> spline{.t = chain.t};
   for (std::size_t i = 0; i < chain.size(); ++i)

@@ -11,7 +11,8 @@ struct GlobalReport {
   int iterations = 0;
   int repaired = 0;  ///< surroundings of bad segments that another start solved better
   bool converged = false;
-  std::vector<double> trace{};  ///< weighted energy over the number of segments after each phase
+  bool second_stage_reverted = false;  ///< stage 2 was not sound, and the curve is that of stage 1
+  std::vector<double> trace{};         ///< weighted energy over the number of segments after each phase
 };
 
 /// Minimises the energy of the whole curve at once, open or periodic: no order of insertion, no frozen segments, and a

@@ -172,15 +172,20 @@ Fit finish(const Input& input, const Spline<K>& spline, int iterations) {
   const bool interpolates = fit.report.residual <= accuracy;
   constexpr int degree = Layout<K>::degree;
   const std::span<const Vec2> points(input.points);
-  const bool sound =
+  const pkappa::Verification verified =
       pkappa::verify<degree>(std::span<const ControlPolygon<degree>>(spline.control), spline.t,
-                             input.closed ? points : points.subspan(1), mean_chord(input), pkappa::fine_gauss_rule())
-          .sound;
-  fit.report.outcome = sound && interpolates ? Outcome::converged : Outcome::not_converged;
+                             input.closed ? points : points.subspan(1), mean_chord(input), pkappa::fine_gauss_rule());
+  fit.report.outcome = verified.sound && interpolates ? Outcome::converged : Outcome::not_converged;
   if (!interpolates)
     fit.report.message = fmt::format("misses its points by {:.2g} mean chords", fit.report.residual);
-  else if (!sound)
-    fit.report.message = "a segment has a cusp, a tight loop or a far detour that the quadrature does not see";
+  else if (verified.near_cusp)
+    fit.report.message = fmt::format("segment {} has a near-cusp at t = {:.6g}, too narrow for the quadrature",
+                                     verified.unsound_segment, *verified.near_cusp);
+  else if (!verified.sound)
+    fit.report.message = fmt::format(
+        "segment {} has a cusp, a tight loop or a far detour that the quadrature does not "
+        "see",
+        verified.unsound_segment);
   return fit;
 }
 
@@ -202,10 +207,12 @@ SchemeInfo PkappaScheme::describe() {
               "Wang, Cao, Guan, Chen, Zhang, pkappa-curves: interpolatory curves with curvature approximating a "
               "parabola, Computer Aided Geometric Design, 2024",
           .parameters = parameter_specs(),
-          .traits = {.continuity = Continuity::c2,
+          .traits = {.fewest_open_points = 2,
+                     .continuity = Continuity::c2,
                      .reversal_invariant = false,
                      .cyclic_shift_invariant = false,
                      .refit_is_fit = false},
+          .version = 2,
           .libraries = pkappa::solver_libraries()};
 }
 
@@ -216,6 +223,8 @@ PkappaScheme::PkappaScheme(const Parameters& parameters) : Scheme(adapt(describe
 }
 
 Fit PkappaScheme::solve(const Input& input) const {
+  if (input.size() == 2)
+    return {.input = input, .curve = straight_line(input.points), .report = {.outcome = Outcome::converged}};
   const WindowSettings settings = settings_of(parameters());
   return with_continuity(continuity_of(parameters()), [&]<Continuity K>() {
     if (is_global(parameters())) {
@@ -223,7 +232,9 @@ Fit PkappaScheme::solve(const Input& input) const {
       const Spline<K> spline = pkappa::solve_globally<K>(input, settings, report);
       Fit fit = finish<K>(input, spline, report.iterations);
       fit.report.trace = std::move(report.trace);
-      fit.report.counters = {{"repaired", report.repaired}, {"iteration_limit", report.converged ? 0 : 1}};
+      fit.report.counters = {{"repaired", report.repaired},
+                             {"stage2_reverted", report.second_stage_reverted ? 1 : 0},
+                             {"iteration_limit", report.converged ? 0 : 1}};
       return fit;
     }
     pkappa::LocalReport report;
@@ -235,7 +246,8 @@ Fit PkappaScheme::solve(const Input& input) const {
 
 Fit PkappaScheme::resolve(const Fit& fit, const Edit& edit) const {
   const Input edited = apply(fit.input, edit);
-  if (is_global(parameters()) || !fit.curve) return solve(edited);
+  const bool line = fit.input.size() == 2 || edited.size() == 2;
+  if (is_global(parameters()) || !fit.curve || line) return solve(edited);
   return with_continuity(continuity_of(parameters()), [&]<Continuity K>() {
     Spline<K> spline = disassemble<K>(*fit.curve);
     pkappa::LocalReport report;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "schemes/pkappa/near_cusp.hpp"
 #include "schemes/pkappa/segment_energy.hpp"
 
 namespace kappabench::pkappa {
@@ -12,18 +13,26 @@ template <int Degree>
 Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
                     std::span<const Vec2> points, double unit, const QuadratureRule& rule) {
   constexpr double agreement = 0.02, negligible = 1e-6, longest = 3.0, vanished = 1e-6;
+  // Turns within less than the mean distance of nodes may lie between them.
+  const double narrow = 1.0 / static_cast<double>(finest_gauss_rule().nodes().size());
   SegmentEnergy<Degree> coarse(rule), fine(finest_gauss_rule());
   Verification v{.sound = true};
   for (std::size_t i = 0; i < control.size(); ++i) {
     const ControlPolygon<Degree>& c = control[i];
     const double expected = unit * coarse.terms(c, t[i]).parabola, found = unit * fine.terms(c, t[i]).parabola;
-    if (!(std::abs(found - expected) <= agreement * found + negligible)) v.sound = false;
+    bool sound = std::abs(found - expected) <= agreement * found + negligible;
     const double shortest = std::min((c.col(1) - c.col(0)).norm(), (c.col(Degree) - c.col(Degree - 1)).norm());
-    if (!(shortest > vanished * unit)) v.sound = false;
+    sound = sound && shortest > vanished * unit;
     double edges = 0.0;
     for (int j = 0; j < Degree; ++j) edges += (c.col(j + 1) - c.col(j)).norm();
     const double direct = (c.col(0) - points[i]).norm() + (c.col(Degree) - points[i]).norm();
-    if (edges > longest * direct) v.sound = false;
+    sound = sound && edges <= longest * direct;
+    const std::optional<double> cusp = near_cusp<Degree>(c, narrow);
+    if ((!sound || cusp) && v.sound) {
+      v.sound = false;
+      v.unsound_segment = static_cast<int>(i);
+      v.near_cusp = cusp;
+    }
     v.worst_parabola = std::max(v.worst_parabola, found);
   }
   return v;

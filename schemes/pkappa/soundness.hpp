@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "schemes/pkappa/joint_chain.hpp"
@@ -9,10 +10,12 @@ namespace kappabench::pkappa {
 /// What a finer rule finds in a result.
 struct Verification {
   /// E_p of every segment agrees with that on the rule it was minimised with (a cusp or a tight loop between nodes
-  /// would show), no control polygon is much longer than the points demand, and none has lost an edge at a joint, and
-  /// with it the tangent.
+  /// would show), none has a near-cusp so narrow that the finest rule's nodes may miss it, no control polygon is much
+  /// longer than the points demand, and none has lost an edge at a joint, and with it the tangent.
   bool sound = false;
-  double worst_parabola = 0.0;  ///< the largest E_p of a segment
+  double worst_parabola = 0.0;        ///< the largest E_p of a segment
+  int unsound_segment = -1;           ///< the first that is not sound
+  std::optional<double> near_cusp{};  ///< where its near-cusp is, if that is why
 
   /// Good enough, in units of the mean chord, not to look for anything better.
   [[nodiscard]] bool good() const { return sound && worst_parabola < 0.05; }

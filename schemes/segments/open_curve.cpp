@@ -37,6 +37,7 @@ Curve straight_line(std::span<const Vec2> points) {
   std::vector<SegmentPtr> segments;
   std::vector<Joint> joints;
   std::vector<Node> nodes;
+  if (n == 2) segments.push_back(std::make_shared<const PolynomialSegment>(std::array{points[0], points[1]}));
   Vec2 start = points.front();
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const Vec2& p = points[i];

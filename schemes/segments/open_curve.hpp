@@ -20,8 +20,8 @@ struct Line {
 
 [[nodiscard]] Line line_of(std::span<const Vec2> points, bool closed);
 
-/// The line through points that are straight and in order: segments of degree 1 that meet halfway between inner points.
-/// At least 3 points.
+/// The line through points that are straight and in order: segments of degree 1 that meet halfway between inner points,
+/// and one segment between two points. At least 2 points.
 [[nodiscard]] Curve straight_line(std::span<const Vec2> points);
 
 }  // namespace kappabench

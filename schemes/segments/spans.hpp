@@ -10,7 +10,9 @@ namespace kappabench {
 struct SpanPieces {
   std::vector<SegmentPtr> segments;  ///< at least one
   Continuity inside;                 ///< at the joints between them
-  Continuity at_end;                 ///< at the joint to the next span; unused at the end of an open curve
+  /// At the joint to the next span, where both have a direction and the path does not turn back (claim_at); unused at
+  /// the end of an open curve.
+  Continuity at_end;
 };
 
 /// A curve whose nodes are joints: span i runs from point i to point i + 1, on a closed curve the last one to point 0.

@@ -28,6 +28,7 @@ SchemeInfo Spiro::describe() {
           "Levien, From spiral to spline: optimal techniques in interactive curve design, PhD thesis, University of "
           "California, Berkeley, 2009",
       .traits = {.fewest_open_points = 2, .continuity = Continuity::g2},
+      .version = 2,
       .libraries = {{"libspiro", LibSpiroVersion()}}};
 }
 
@@ -52,17 +53,22 @@ Solution run_libspiro(const Input& input) {
   return Solution(run_spiro0(points.data(), scale_and_offset.data(), 0, input.size()));
 }
 
+/// Largest jump of heading or curvature that counts as solved. It moves the end of a clothoid by about this part of its
+/// length.
+constexpr double accuracy = 1e-7;
+
 /// libspiro gives curvature k0 + k1 s over s in [-1/2, 1/2] for unit length; length and direction follow from the
-/// chord.
-ClothoidForm clothoid_between(const Vec2& p0, const Vec2& p1, double k0, double k1) {
+/// chord. nullopt where the chord is so short for its clothoid that the length is not known to a thousandth.
+std::optional<ClothoidForm> clothoid_between(const Vec2& p0, const Vec2& p1, double k0, double k1) {
   const double start = k0 - 0.5 * k1, heading = -0.5 * k0 + 0.125 * k1;
   const Vec2 end = clothoid_displacement(heading, start, k1, 1.0), chord = p1 - p0;
   const double length = chord.norm() / end.norm();
-  return {.start = p0,
-          .angle = std::atan2(chord.y(), chord.x()) - std::atan2(end.y(), end.x()) + heading,
-          .curvature = start / length,
-          .curvature_rate = k1 / (length * length),
-          .length = length};
+  if (length * accuracy > 1e-3 * chord.norm()) return std::nullopt;
+  return ClothoidForm{.start = p0,
+                      .angle = std::atan2(chord.y(), chord.x()) - std::atan2(end.y(), end.x()) + heading,
+                      .curvature = start / length,
+                      .curvature_rate = k1 / (length * length),
+                      .length = length};
 }
 
 /// The largest jump at the points: of heading in radians, or of curvature times the shorter of the two clothoids.
@@ -92,13 +98,18 @@ Fit Spiro::solve(const Input& input) const {
   std::vector<ClothoidForm> clothoids;
   for (std::size_t i = 0; i < (input.closed ? n : n - 1); ++i) {
     const double* k = solution.get()[i].ks;
-    clothoids.push_back(clothoid_between(input.points[i], input.points[(i + 1) % n], k[0], k[1]));
+    const auto clothoid = clothoid_between(input.points[i], input.points[(i + 1) % n], k[0], k[1]);
+    if (!clothoid)
+      return without_curve(Outcome::not_converged,
+                           fmt::format("libspiro's solution from point {} to {} is over {:.0e} chords long, which its "
+                                       "accuracy does not determine; points with gentler turns may help",
+                                       i, (i + 1) % n, 1e-3 / accuracy));
+    clothoids.push_back(*clothoid);
   }
   Report report{.outcome = Outcome::converged, .residual = largest_jump(clothoids, input.closed)};
   if (!std::isfinite(report.residual))
     return without_curve(Outcome::failed, "libspiro's solution is not finite; rescale the drawing");
-  constexpr double allowed = 1e-7;
-  if (report.residual > allowed) {
+  if (report.residual > accuracy) {
     report.outcome = Outcome::not_converged;
     report.message =
         fmt::format("libspiro's solution leaves a jump of {:.1e} in heading or curvature", report.residual);

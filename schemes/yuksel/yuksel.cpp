@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "schemes/segments/blend.hpp"
+#include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/spans.hpp"
 #include "schemes/yuksel/local_curve.hpp"
 
@@ -23,9 +24,11 @@ SchemeInfo Yuksel::describe() {
                           .default_value = std::string("g2"),
                           .help = "g2: each half of a local curve at its own speed, as published; c2: one smooth speed",
                           .choices = {"g2", "c2"}}},
-          .traits = {.continuity = Continuity::g2,
-                     .continuity_exceptions = "arc=bezier: points where the legs turn straight back",
-                     .locality = 2}};
+          .traits = {.fewest_open_points = 2,
+                     .continuity = Continuity::g2,
+                     .continuity_exceptions = "arc=bezier: G0 at points where the legs turn straight back",
+                     .locality = 2},
+          .version = 2};
 }
 
 namespace {
@@ -45,6 +48,7 @@ Fit Yuksel::solve(const Input& input) const {
   const yuksel::Arc arc = yuksel::arc_of(parameters().text("arc"));
   const bool smooth_speed = parameters().text("parametrization") == "c2";
   const auto n = static_cast<std::size_t>(input.size());
+  if (n == 2) return {.input = input, .curve = straight_line(input.points), .report = {.outcome = Outcome::converged}};
 
   // local[i] belongs to point i; those of open ends stay empty.
   std::vector<ArcPair> local(n);

@@ -182,3 +182,31 @@ TEST_CASE("intrinsic scheme: wrong options get one line") {
   for (PointOptions& options : input.options) options = {.tangent = 0.3, .curvature = 1.0};
   CHECK_THAT(scheme("intrinsic:auto=false,degree=2,controls=3")->fit(input).report.message, Contains("too few"));
 }
+
+TEST_CASE("intrinsic scheme: g1 meets headings only, whatever curvatures are given") {
+  Input input{.points = {{0, 0}, {10, 5}}, .closed = false};
+  input.options = {{.tangent = 0.0}, {.tangent = 0.7}};
+  const Fit free = scheme("intrinsic:continuity=g1")->fit(input);
+  input.options[0].curvature = 0.1;
+  input.options[1].curvature = 0.2;
+  const Fit given = scheme("intrinsic:continuity=g1")->fit(input);
+  REQUIRE((free.curve && given.curve));
+  CHECK(given.report.outcome == Outcome::converged);
+  for (const double t : {0.0, 0.3, 1.0})
+    CHECK(given.curve->segment(0).jet(t, 0).position() == free.curve->segment(0).jet(t, 0).position());
+}
+
+TEST_CASE("intrinsic scheme: data without a monotone solution are refused with what meets them") {
+  const auto between = [](const Vec2& end) {
+    Input input{.points = {{0, 0}, end}, .closed = false};
+    input.options = {{.tangent = 0.0, .curvature = 0.0}, {.tangent = 0.0, .curvature = 0.0}};
+    return scheme("intrinsic")->fit(input).report;
+  };
+  // A lane change; and a line that would have to come back from infinity.
+  for (const Vec2& end : {Vec2(150, 20), Vec2(-10, 0)}) {
+    const Report report = between(end);
+    CHECK(report.outcome == Outcome::unsupported_input);
+    CHECK_THAT(report.message, Contains("clothoid3"));
+  }
+  CHECK(between({10, 0}).outcome == Outcome::converged);
+}

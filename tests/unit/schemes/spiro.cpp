@@ -86,3 +86,12 @@ TEST_CASE("spiro says when libspiro finds nothing, and never returns a broken cu
   CHECK(scheme->fit({.points = {{0, 0}, {INFINITY, 0}, {1, 1}}, .closed = true}).report.outcome ==
         Outcome::unsupported_input);
 }
+
+TEST_CASE("spiro: a solution whose length its accuracy does not determine is none") {
+  const SchemePtr scheme = spiro();
+  if (!scheme) return;
+  const Fit fit = scheme->fit({.points = {{0, 0}, {10, 0}, {5, 0}}, .closed = false});
+  CHECK(fit.report.outcome == Outcome::not_converged);
+  CHECK_FALSE(fit.curve.has_value());
+  CHECK(fit.report.message.find("chords long") != std::string::npos);
+}

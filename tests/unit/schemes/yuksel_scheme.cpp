@@ -40,6 +40,22 @@ TEST_CASE("yuksel passes through the points with continuous tangent and curvatur
     }
 }
 
+TEST_CASE("yuksel: curvature is continuous at the ends of a leg of 1e-7, too") {
+  const Input almost_closed{.points = {{0, 0}, {3, -2}, {7, -1}, {8, 3}, {4, 5}, {1, 3}, {8e-8, 6e-8}}, .closed = true};
+  for (const std::string arc : arcs) {
+    INFO(arc);
+    const Fit fit = scheme("yuksel:arc=" + arc)->fit(almost_closed);
+    REQUIRE(fit.report.outcome == Outcome::converged);
+    for (const Joint& joint : fit.curve->joints()) {
+      const Jet before = fit.curve->segment(joint.segment).jet(1.0, 2);
+      const Jet after = fit.curve->segment(fit.curve->next(joint.segment)).jet(0.0, 2);
+      CHECK(before.d[1].dot(after.d[1]) > 0.0);
+      CHECK(std::abs(cross(before.d[1].normalized(), after.d[1].normalized())) < 1e-9);
+      CHECK(curvature(before) == Approx(curvature(after)).epsilon(1e-7));
+    }
+  }
+}
+
 TEST_CASE("yuksel with parametrization=c2 has continuous derivatives, with the published one not") {
   for (const std::string arc : arcs) {
     const SchemePtr smooth = scheme("yuksel:parametrization=c2,arc=" + arc);
@@ -130,8 +146,7 @@ TEST_CASE("legs that turn straight back: a cusp of the Bezier curve, and a clear
 }
 
 TEST_CASE("yuksel refuses too few, coincident and non-finite points, and unknown words") {
-  CHECK(scheme("yuksel")->fit({.points = {{0, 0}, {1, 0}}, .closed = false}).report.outcome ==
-        Outcome::unsupported_input);
+  CHECK(scheme("yuksel")->fit({.points = {{0, 0}}, .closed = false}).report.outcome == Outcome::unsupported_input);
   CHECK(scheme("yuksel")->fit({.points = {{0, 0}, {1, 0}, {1, 0}, {2, 2}}, .closed = false}).report.outcome ==
         Outcome::unsupported_input);
   CHECK(scheme("yuksel")->fit({.points = {{0, 0}, {NAN, 0}, {2, 2}}, .closed = true}).report.outcome ==
