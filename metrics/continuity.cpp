@@ -45,8 +45,11 @@ std::vector<JointJump> joint_jumps(const Curve& curve, const Input& input) {
   const Resolution resolution = resolution_of(input);
   const double chord = resolution.chord / frame.scale, length = ArcMap(local).length();
   std::vector<JointJump> jumps;
-  for (const Joint& joint : local.joints())
-    jumps.push_back(jump_at(joint, sides_of(local, joint, resolution.rounding / frame.scale), chord, length));
+  for (const Joint& joint : local.joints()) {
+    const JointSides sides = sides_of(local.segment(joint.segment), local.segment(local.next(joint.segment)),
+                                      resolution.rounding / frame.scale);
+    jumps.push_back(jump_at(joint, sides, chord, length));
+  }
   return jumps;
 }
 

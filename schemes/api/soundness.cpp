@@ -88,10 +88,9 @@ std::string unsoundness(const Curve& curve, const Input& input, const Resolution
     if (!finite_inside(curve.segment(i))) return fmt::format("segment {} is not finite", i);
   if (std::string point = unmet_point(curve, input, resolution); !point.empty()) return point;
   for (const Joint& joint : curve.joints()) {
-    if (plainly_keeps(curve.segment(joint.segment).bezier_points(),
-                      curve.segment(curve.next(joint.segment)).bezier_points(), joint.claimed, resolution.chord))
-      continue;
-    if (const auto miss = miss_of(sides_of(curve, joint, resolution.rounding), joint.claimed, resolution.chord))
+    const Segment &before = curve.segment(joint.segment), &after = curve.segment(curve.next(joint.segment));
+    if (plainly_keeps(before.bezier_points(), after.bezier_points(), joint.claimed, resolution.chord)) continue;
+    if (const auto miss = miss_of(sides_of(before, after, resolution.rounding), joint.claimed, resolution.chord))
       return missed(curve, joint, *miss, resolution);
   }
   return {};

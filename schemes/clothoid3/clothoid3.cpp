@@ -11,6 +11,7 @@
 #include "schemes/clothoid3/clc.hpp"
 #include "schemes/clothoid3/refine.hpp"
 #include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/joint_claim.hpp"
 #include "schemes/segments/spans.hpp"
 
 namespace kappabench {
@@ -43,7 +44,7 @@ SchemeInfo Clothoid3::describe() {
                      .continuity_exceptions = "corners (G0) where the legs turn straight back",
                      .locality = 4,
                      .hermite = true},
-          .version = 2};
+          .version = 3};
 }
 
 namespace {
@@ -185,6 +186,21 @@ Report report_of(const Layout& layout) {
   return report;
 }
 
+/// The published rules accept lines and aligned points that are a little off.
+bool lets_kinks_pass(const Parameters& parameters) {
+  return parameters.flag("compat") || parameters.text("pieces") == "clc";
+}
+
+/// The curve with no more claimed at its joints than is true.
+Curve as_found(const Curve& curve) {
+  std::vector<Joint> joints = curve.joints();
+  for (Joint& joint : joints)
+    if (joint.claimed == Continuity::g2)
+      joint.claimed =
+          claim_found(curve.segment(joint.segment), curve.segment(curve.next(joint.segment)), joint.claimed);
+  return {curve.segments(), std::move(joints), curve.nodes(), curve.closed()};
+}
+
 }  // namespace
 
 Clothoid3::Clothoid3(const Parameters& parameters) : Scheme(described(parameters), parameters) {}
@@ -206,7 +222,9 @@ Fit Clothoid3::solve(const Input& input) const {
     spans.push_back(
         {.segments = std::move(segments), .inside = Continuity::g2, .at_end = kept ? Continuity::g2 : Continuity::g0});
   }
-  return {.input = input, .curve = curve_of_spans(std::move(spans), input.closed), .report = report_of(layout)};
+  const Curve curve = curve_of_spans(std::move(spans), input.closed);
+  return {
+      .input = input, .curve = lets_kinks_pass(parameters()) ? as_found(curve) : curve, .report = report_of(layout)};
 }
 
 void register_clothoid3(Registry& registry) { registry.add<Clothoid3>(); }

@@ -89,9 +89,8 @@ double JointSide::curvature_error() const {
   return (second_error + first_error * 4.0 * a / v) / (v * v);
 }
 
-JointSides sides_of(const Curve& curve, const Joint& joint, double rounding) {
-  return {side_of(curve.segment(joint.segment), true, rounding),
-          side_of(curve.segment(curve.next(joint.segment)), false, rounding)};
+JointSides sides_of(const Segment& before, const Segment& after, double rounding) {
+  return {side_of(before, true, rounding), side_of(after, false, rounding)};
 }
 
 std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord) {

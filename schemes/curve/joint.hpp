@@ -23,9 +23,9 @@ struct JointSides {
   JointSide before, after;
 };
 
-/// Both sides of a joint. `rounding`, a length, is one unit in the last place of the coordinates that the drawing was
-/// given in; coordinates of the curve that are larger round by more.
-[[nodiscard]] JointSides sides_of(const Curve& curve, const Joint& joint, double rounding);
+/// Both sides of the joint where `before` ends and `after` starts. `rounding`, a length, is one unit in the last place
+/// of the coordinates that the drawing was given in; coordinates of the curve that are larger round by more.
+[[nodiscard]] JointSides sides_of(const Segment& before, const Segment& after, double rounding);
 
 /// What a joint misses of its claim.
 struct JointMiss {

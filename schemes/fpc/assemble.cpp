@@ -107,9 +107,8 @@ class Assembly {
       counters_["s_joints"] += s_shaped;
       // A segment that has shrunk in between may have turned from one direction and curvature to others.
       const bool adjacent = chain_.next(pieces_[j].number) == pieces_[behind].number;
-      joints_.push_back({static_cast<int>(j), adjacent
-                                                  ? claim_at(*segments_[j], *segments_[behind], smooth)
-                                                  : claim_across_point(*segments_[j], *segments_[behind], smooth)});
+      joints_.push_back({static_cast<int>(j), adjacent ? claim_at(*segments_[j], *segments_[behind], smooth)
+                                                       : claim_found(*segments_[j], *segments_[behind], smooth)});
     }
   }
 

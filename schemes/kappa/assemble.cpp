@@ -116,7 +116,7 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     // A segment that shrank in between may have turned from one direction and curvature to others.
     const bool adjacent = chain.next(pieces[k].number) == pieces[after].number;
     joints.push_back({static_cast<int>(k), adjacent ? claim_at(*segments[k], *segments[after], smooth)
-                                                    : claim_across_point(*segments[k], *segments[after], smooth)});
+                                                    : claim_found(*segments[k], *segments[after], smooth)});
   }
   if (!input.closed) add_end_nodes(nodes, input.size(), static_cast<int>(segments.size()));
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};

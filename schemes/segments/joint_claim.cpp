@@ -1,56 +1,42 @@
 #include "schemes/segments/joint_claim.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "schemes/curve/joint.hpp"
 
 namespace kappabench {
 namespace {
 
-/// What solvers are held to, relative: 4096 roundings.
-constexpr double solved = 0x1p-40;
+/// As far as the two segments show how coordinates round.
+JointSides sides_between(const Segment& before, const Segment& after) {
+  double largest = 0.0;
+  for (const Vec2& p : {position_at(before, 0.0), position_at(after, 0.0), position_at(after, 1.0)})
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return sides_of(before, after, std::numeric_limits<double>::epsilon() * largest);
+}
 
-/// One end of a segment, and how far rounding of the coordinates moves a control point that was solved for and stored:
-/// twice one unit in the last place. c' and c'' at an end are degree times a difference of two and degree (degree - 1)
-/// times one of three control points, which counts as four.
-struct End {
-  Jet jet;
-  double error;
+/// The direction is known to a tenth of a radian. False for what is not a number, too.
+bool moves(const JointSide& side) { return side.first.norm() > 10.0 * side.first_error; }
 
-  End(const Segment& segment, double t) : jet(segment.jet(t, 2)) {
-    // Near the origin the other control points round by more than this one; c'' has their size where c' has not.
-    const double largest = std::max(jet.position().cwiseAbs().maxCoeff(), jet.d[2].cwiseAbs().maxCoeff());
-    error = 2.0 * std::numeric_limits<double>::epsilon() * largest;
-  }
-
-  /// The direction is not known to a tenth of a radian, for degree 5, the highest. True for what is not a number, too.
-  [[nodiscard]] bool rests() const { return !(speed(jet) > 10.0 * (2.0 * 5.0 * error)); }
-  /// Explained for degree 2, the lowest that bends.
-  [[nodiscard]] double direction_error() const { return 2.0 * 2.0 * error / speed(jet); }
-  [[nodiscard]] double curvature_error() const {  // of c' x c'' / |c'|^3
-    const double v = speed(jet);
-    return (4.0 * 2.0 * error + 4.0 * 2.0 * 2.0 * error * jet.d[2].norm() / v) / (v * v);
-  }
-};
-
-bool have_one_direction(const End& before, const End& after) {
-  return !before.rests() && !after.rests() && before.jet.d[1].dot(after.jet.d[1]) > 0.0;
+bool have_one_direction(const JointSides& sides) {
+  return moves(sides.before) && moves(sides.after) && sides.before.first.dot(sides.after.first) > 0.0;
 }
 
 }  // namespace
 
 Continuity claim_at(const Segment& before, const Segment& after, Continuity smooth) {
-  return have_one_direction(End(before, 1.0), End(after, 0.0)) ? smooth : Continuity::g0;
+  return have_one_direction(sides_between(before, after)) ? smooth : Continuity::g0;
 }
 
-Continuity claim_across_point(const Segment& before, const Segment& after, Continuity smooth) {
-  const End end(before, 1.0), start(after, 0.0);
-  if (!have_one_direction(end, start)) return Continuity::g0;
-  const double sine = std::abs(cross(end.jet.d[1], start.jet.d[1])) / (speed(end.jet) * speed(start.jet));
-  if (sine > solved + end.direction_error() + start.direction_error()) return Continuity::g0;
-  const double k0 = std::abs(curvature(end.jet)), k1 = std::abs(curvature(start.jet));
-  const double explained = solved * std::max(k0, k1) + end.curvature_error() + start.curvature_error();
-  return std::abs(k0 - k1) <= explained ? smooth : Continuity::g1;
+Continuity claim_found(const Segment& before, const Segment& after, Continuity smooth) {
+  const JointSides sides = sides_between(before, after);
+  if (!have_one_direction(sides)) return Continuity::g0;
+  // Relative to the curvatures alone, however slight they are.
+  constexpr double no_chord = std::numeric_limits<double>::infinity();
+  for (const Continuity claim : {smooth, Continuity::g1})
+    if (!miss_of(sides, claim, no_chord)) return claim;
+  return Continuity::g0;
 }
 
 }  // namespace kappabench

@@ -9,9 +9,9 @@ namespace kappabench {
 /// coordinates) or opposite ones (the path turns straight back).
 [[nodiscard]] Continuity claim_at(const Segment& before, const Segment& after, Continuity smooth);
 
-/// The same where a segment between the two has shrunk to a point, so that nothing else makes them agree: `smooth`
-/// (G2, or G1 with equal |curvature|) where |curvature| agrees to what solving and rounding explain, G1 where only the
-/// directions do, and G0 where not even these.
-[[nodiscard]] Continuity claim_across_point(const Segment& before, const Segment& after, Continuity smooth);
+/// What is true of a joint that nothing makes smooth but that may be: where a segment between the two has shrunk to a
+/// point, or a method lets small kinks pass. `smooth` (G2, or G1 with equal |curvature|), else G1, else G0: the first
+/// that the joint keeps (schemes/curve/joint.hpp).
+[[nodiscard]] Continuity claim_found(const Segment& before, const Segment& after, Continuity smooth);
 
 }  // namespace kappabench

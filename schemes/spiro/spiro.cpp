@@ -10,13 +10,13 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "schemes/segments/clothoid.hpp"
 #include "schemes/segments/spans.hpp"
+#include "schemes/spiro/polish.hpp"
 
 namespace kappabench {
 
@@ -57,18 +57,31 @@ Solution run_libspiro(const Input& input) {
 /// length.
 constexpr double accuracy = 1e-7;
 
-/// libspiro gives curvature k0 + k1 s over s in [-1/2, 1/2] for unit length; length and direction follow from the
-/// chord. nullopt where the chord is so short for its clothoid that the length is not known to a thousandth.
-std::optional<ClothoidForm> clothoid_between(const Vec2& p0, const Vec2& p1, double k0, double k1) {
-  const double start = k0 - 0.5 * k1, heading = -0.5 * k0 + 0.125 * k1;
-  const Vec2 end = clothoid_displacement(heading, start, k1, 1.0), chord = p1 - p0;
-  const double length = chord.norm() / end.norm();
-  if (length * accuracy > 1e-3 * chord.norm()) return std::nullopt;
-  return ClothoidForm{.start = p0,
-                      .angle = std::atan2(chord.y(), chord.x()) - std::atan2(end.y(), end.x()) + heading,
-                      .curvature = start / length,
-                      .curvature_rate = k1 / (length * length),
-                      .length = length};
+/// From the start of a bend of unit length to its end, headings being those over s.
+Vec2 end_of(const SpiroBend& bend) {
+  return clothoid_displacement(-0.5 * bend.k0 + 0.125 * bend.k1, bend.k0 - 0.5 * bend.k1, bend.k1, 1.0);
+}
+
+/// Not where the chord is so short for its clothoid that the length is not known to a thousandth.
+bool determined(const SpiroBend& bend) { return !(accuracy > 1e-3 * end_of(bend).norm()); }
+
+/// Length and direction follow from the chord.
+ClothoidForm clothoid_between(const SpiroBend& bend, const Vec2& chord, const Vec2& from) {
+  const auto [k0, k1] = bend;
+  const Vec2 end = end_of(bend);
+  const double length = chord.norm() / end.norm(), start = k0 - 0.5 * k1;
+  return {.start = from,
+          .angle = std::atan2(chord.y(), chord.x()) - std::atan2(end.y(), end.x()) - 0.5 * k0 + 0.125 * k1,
+          .curvature = start / length,
+          .curvature_rate = k1 / (length * length),
+          .length = length};
+}
+
+std::vector<ClothoidForm> clothoids_of(std::span<const SpiroBend> bends, std::span<const Vec2> chords,
+                                       std::span<const Vec2> points) {
+  std::vector<ClothoidForm> clothoids;
+  for (std::size_t i = 0; i < bends.size(); ++i) clothoids.push_back(clothoid_between(bends[i], chords[i], points[i]));
+  return clothoids;
 }
 
 /// The largest jump at the points: of heading in radians, or of curvature times the shorter of the two clothoids.
@@ -94,26 +107,32 @@ Fit Spiro::solve(const Input& input) const {
   const Solution solution = run_libspiro(input);
   if (!solution)
     return without_curve(Outcome::not_converged, "libspiro did not converge; points with gentler turns may help");
+  std::vector<SpiroBend> bends;
+  std::vector<Vec2> chords;
   const std::size_t n = input.points.size();
-  std::vector<ClothoidForm> clothoids;
   for (std::size_t i = 0; i < (input.closed ? n : n - 1); ++i) {
-    const double* k = solution.get()[i].ks;
-    const auto clothoid = clothoid_between(input.points[i], input.points[(i + 1) % n], k[0], k[1]);
-    if (!clothoid)
+    bends.push_back({solution.get()[i].ks[0], solution.get()[i].ks[1]});
+    chords.push_back(input.points[(i + 1) % n] - input.points[i]);
+  }
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (!determined(bends[i]))
       return without_curve(Outcome::not_converged,
                            fmt::format("libspiro's solution from point {} to {} is over {:.0e} chords long, which its "
                                        "accuracy does not determine; points with gentler turns may help",
                                        i, (i + 1) % n, 1e-3 / accuracy));
-    clothoids.push_back(*clothoid);
-  }
-  Report report{.outcome = Outcome::converged, .residual = largest_jump(clothoids, input.closed)};
+  Report report{.outcome = Outcome::converged,
+                .residual = largest_jump(clothoids_of(bends, chords, input.points), input.closed)};
   if (!std::isfinite(report.residual))
     return without_curve(Outcome::failed, "libspiro's solution is not finite; rescale the drawing");
   if (report.residual > accuracy) {
     report.outcome = Outcome::not_converged;
     report.message =
         fmt::format("libspiro's solution leaves a jump of {:.1e} in heading or curvature", report.residual);
+  } else {
+    polish(bends, chords, input.closed);
   }
+  const std::vector<ClothoidForm> clothoids = clothoids_of(bends, chords, input.points);
+  report.residual = largest_jump(clothoids, input.closed);
 
   std::vector<SpanPieces> spans;
   spans.reserve(clothoids.size());

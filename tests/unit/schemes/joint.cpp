@@ -2,7 +2,6 @@
 #include "schemes/curve/joint.hpp"
 
 #include <cmath>
-#include <memory>
 #include <random>
 
 #include "schemes/segments/polynomial.hpp"
@@ -39,9 +38,7 @@ TEST_CASE("what control points show at a glance, a closer look finds, too", "[so
   for (int i = 0; i < cases(40'000); ++i) {
     const double off = i % 4 == 0 ? 0.0 : std::pow(10.0, -17.0 + static_cast<double>(random() % 10));
     const auto [before, after] = pair_of(random, i % 3, off);
-    const Curve curve({std::make_shared<PolynomialSegment>(before), std::make_shared<PolynomialSegment>(after)},
-                      {{0, g0}}, {}, false);
-    const JointSides sides = sides_of(curve, {0, g0}, 0x1p-52);
+    const JointSides sides = sides_of(PolynomialSegment(before), PolynomialSegment(after), 0x1p-52);
     for (const Continuity claim : {g0, g1, g1_equal_magnitude, g2, c1, c2}) {
       const bool glance = plainly_keeps(before, after, claim, 1.0), look = !miss_of(sides, claim, 1.0);
       INFO("pair " << i << " claims " << name(claim) << ", off by " << off);

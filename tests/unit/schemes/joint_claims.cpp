@@ -56,11 +56,11 @@ TEST_CASE("a joint is claimed G0 where the path turns straight back or has no di
 TEST_CASE("across a segment that has shrunk to a point no more is claimed than holds") {
   const auto arriving = bezier({Vec2(0, 0), Vec2(1, 1), Vec2(2, 1)});
   const auto mirrored = bezier({Vec2(2, 1), Vec2(3, 1), Vec2(4, 2)});
-  CHECK(claim_across_point(arriving, mirrored, Continuity::g1_equal_magnitude) == Continuity::g1_equal_magnitude);
+  CHECK(claim_found(arriving, mirrored, Continuity::g1_equal_magnitude) == Continuity::g1_equal_magnitude);
   const auto other_curvature = bezier({Vec2(2, 1), Vec2(3, 1), Vec2(4, 2 + 1e-9)});
-  CHECK(claim_across_point(arriving, other_curvature, Continuity::g1_equal_magnitude) == Continuity::g1);
+  CHECK(claim_found(arriving, other_curvature, Continuity::g1_equal_magnitude) == Continuity::g1);
   const auto kinked = bezier({Vec2(2, 1), Vec2(3, 1 + 1e-9), Vec2(4, 2)});
-  CHECK(claim_across_point(arriving, kinked, Continuity::g1_equal_magnitude) == Continuity::g0);
+  CHECK(claim_found(arriving, kinked, Continuity::g1_equal_magnitude) == Continuity::g0);
 }
 
 TEST_CASE("no scheme claims a direction where a path goes back as it came") {
