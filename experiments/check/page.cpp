@@ -20,8 +20,8 @@ std::string refutations(const Checked& checked) {
   std::string text;
   for (const auto& [claim, finding] : checked.claims) {
     if (finding.verdict != Verdict::refuted) continue;
-    text += fmt::format("\n{}: {} is refuted {} time{}\n", checked.scheme, claim.name, finding.refuted,
-                        finding.refuted == 1 ? "" : "s");
+    text += fmt::format("\n{}: {} is refuted {} time{} ({})\n", checked.scheme, claim.name, finding.refuted,
+                        finding.refuted == 1 ? "" : "s", claim.meaning);
     for (const Refutation& refutation : finding.refutations)
       text += fmt::format("  {}\n    {}\n    $ {}\n", refutation.where, refutation.numbers, refutation.command);
   }

@@ -14,6 +14,10 @@ namespace kappabench::check {
 [[nodiscard]] Fit tried_fit(const Scheme& scheme, const Input& input);
 [[nodiscard]] Fit tried_refit(const Scheme& scheme, const Fit& fit, const Edit& edit);
 
+/// Did the framework find that the curve misses what it claims? It says so in the message; the solver's own trouble
+/// does not speak of claims.
+[[nodiscard]] bool misses_own_claim(const Fit& fit);
+
 /// A case and its fit.
 struct Trial {
   Case shown;
@@ -38,9 +42,9 @@ class SchemeUnderTest {
   [[nodiscard]] const std::vector<Trial>& drawn() const { return drawn_; }
   /// Both of the above.
   [[nodiscard]] std::vector<const Trial*> trials() const;
-  /// Those of `trials` whose curves are held against what the scheme claims: the converged ones. If too few benign
-  /// inputs converge, all curves: the framework calls a curve that misses its own claim `not_converged`, which must not
-  /// hide it here.
+  /// Those of `trials` whose curves are held against what the scheme claims: the converged ones, and those that the
+  /// framework has made `not_converged` because they miss their own claim. If too few benign inputs converge, all
+  /// curves.
   [[nodiscard]] std::vector<const Trial*> curves() const;
   /// Those of `curves` that are benign and have at most 13 points: what is fitted again and again.
   [[nodiscard]] std::vector<const Trial*> short_curves() const;

@@ -310,6 +310,17 @@ TEST_CASE("a scheme that does not solve what is benign is refuted") {
   CHECK(refuted(honest_info(), lie) == Names{"solves"});
 }
 
+TEST_CASE("a curve that the framework finds to miss its own claim is refuted, though the others converge") {
+  const auto lie = [](const Input& input) {
+    Fit fit = honest(input);
+    if (input.size() != 24) return fit;
+    fit.report.outcome = Outcome::not_converged;
+    fit.report.message = "joint 3 claims G1 and turns by 0.1 rad";
+    return fit;
+  };
+  CHECK(refuted(honest_info(), lie) == Names{"solves"});
+}
+
 TEST_CASE("points that are claimed and refused are refuted") {
   const auto refuse = [](const Input& input) {
     return Fit{.input = input,
