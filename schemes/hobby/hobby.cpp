@@ -32,7 +32,8 @@ SchemeInfo Hobby::describe() {
                       .most = 1e3}},
       .traits = {.fewest_open_points = 2,
                  .continuity = Continuity::g1,
-                 .continuity_exceptions = "points where the speed vanishes"}};
+                 .continuity_exceptions = "points where the speed vanishes"},
+      .version = 2};
 }
 
 Hobby::Hobby(Parameters parameters) : Scheme(describe(), std::move(parameters)) {}
@@ -122,7 +123,9 @@ std::optional<Offsets> solve_offsets(const Input& input, Polygon polygon, double
     } else if (!polygon.closed && k == n - 1) {
       row(k, next, end, 0.0, 0.0);  // phi = -theta
     } else {
-      const double before = 1.0 / polygon.length[(k + chords - 1) % chords], after = 1.0 / polygon.length[k];
+      // Times the shorter chord: without unit, as the other rows are.
+      const double d0 = polygon.length[(k + chords - 1) % chords], d1 = polygon.length[k], shorter = std::min(d0, d1);
+      const double before = shorter / d0, after = shorter / d1;
       row(k, s * before, g * (before + after), s * after, -g * psi[k] * before - s * psi[(k + 1) % n] * after);
     }
   }
