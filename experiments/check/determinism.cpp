@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/check/all_claims.hpp"
 #include "experiments/check/same_curve.hpp"
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/check/check.hpp"
 #include "experiments/program/errors.hpp"
 #include "experiments/program/progress_bar.hpp"
