@@ -101,6 +101,8 @@ TEST_CASE("clothoid3 with a line: kinks of up to 0.01 rad at its ends, none wher
     largest = std::max(largest, kink);
     for (const Joint& joint : fit.curve->joints()) {
       CHECK(jump_at(*fit.curve, joint.segment).gap < 1e-13);
+      if (joint.claimed != Continuity::g0) CHECK(jump_at(*fit.curve, joint.segment).angle < 1e-11);
+      if (joint.claimed == Continuity::g2) CHECK(jump_at(*fit.curve, joint.segment).curvature < 1e-9);
       if (jump_at(*fit.curve, joint.segment).angle < 1e-9) ++exact;
     }
   }
