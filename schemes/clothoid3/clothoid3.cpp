@@ -57,7 +57,7 @@ SchemeInfo described(const Parameters& parameters) {
   const bool clc = parameters.text("pieces") == "clc", compat = parameters.flag("compat");
   if (compat) {
     traits.continuity_exceptions =
-        "corners (G0) at points closer than 0.01; kinks of up to 0.001 rad at aligned points";
+        "corners (G0) at points closer than 0.01; G0 where kinks of up to 0.001 rad stay at aligned points";
   }
   if (clc)
     traits.continuity_exceptions +=
@@ -75,24 +75,7 @@ struct Span {
   double residual = 0.0;
   bool clc = false;
   bool lacks_property = false;  ///< after refinement
-
-  /// A line whose heading is not that of the clothoids beside it: beyond 4096 roundings, a kink at both its ends.
-  [[nodiscard]] bool kinked() const { return clc && residual > 0x1p-40; }
-  /// A clothoid has vanished, so that the line is what starts or ends the span.
-  [[nodiscard]] bool starts_with_line() const { return clc && is_line(pieces.front()); }
-  [[nodiscard]] bool ends_with_line() const { return clc && is_line(pieces.back()); }
-
- private:
-  static bool is_line(const ClothoidForm& piece) { return piece.curvature == 0.0 && piece.curvature_rate == 0.0; }
 };
-
-/// At the point between two spans that both were made as asked: the curvature jumps to that of a line, and the line may
-/// have a kink.
-Continuity claim_between(const Span& before, const Span& after) {
-  const bool ends = before.ends_with_line(), starts = after.starts_with_line();
-  if ((ends && before.kinked()) || (starts && after.kinked())) return Continuity::g0;
-  return ends || starts ? Continuity::g1 : Continuity::g2;
-}
 
 Span straight(const Vec2& from, const Vec2& to, Continuity claimed) {
   const Vec2 chord = to - from;
@@ -236,9 +219,8 @@ Fit Clothoid3::solve(const Input& input) const {
       segments.push_back(std::make_shared<ClothoidSegment>(piece));
     const bool kept = !layout.corner[end] && layout.spans[i].claimed == Continuity::g2 &&
                       layout.spans[next].claimed == Continuity::g2;
-    spans.push_back({.segments = std::move(segments),
-                     .inside = layout.spans[i].kinked() ? Continuity::g0 : Continuity::g2,
-                     .at_end = kept ? claim_between(layout.spans[i], layout.spans[next]) : Continuity::g0});
+    spans.push_back(
+        {.segments = std::move(segments), .inside = Continuity::g2, .at_end = kept ? Continuity::g2 : Continuity::g0});
   }
   const Curve curve = curve_of_spans(std::move(spans), input.closed);
   return {
