@@ -11,7 +11,7 @@ namespace {
 
 constexpr double beside = 1e-6;  // how far from a cusp or a resting end curvature is read, in t
 constexpr double rounding = 1e-9;
-constexpr double steepest = 1e12;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double curvature_at(const Segment& segment, double t) { return curvature(segment.jet(t, 2)); }
 
@@ -24,33 +24,45 @@ double end_curvature(const Segment& segment, double t) {
   return std::isfinite(near) ? near : 0.0;
 }
 
-void append_segment(const Segment& segment, int index, double limit, CurvatureProfile& profile) {
+void append_segment(const Segment& segment, int index, CurvatureProfile& profile) {
   using Kind = ProfilePoint::Kind;
-  const auto bounded = [limit](double kappa) { return std::clamp(kappa, -limit, limit); };
   std::vector<ProfilePoint> inside;
-  const std::vector<double> stops = cusps(segment);
-  for (const double t : stops) {
+  const Cusps stops = find_cusps(segment);
+  for (const double t : stops.at) {
     for (const double side : {t - beside, t + beside}) {
       const double kappa = curvature_at(segment, side);
-      inside.push_back({{index, t}, kappa < 0.0 ? -limit : limit, Kind::cusp});
+      inside.push_back({{index, t}, kappa < 0.0 ? -infinite : infinite, Kind::cusp});
     }
   }
   const SignChanges extrema = curvature_extrema(segment);
-  profile.certified = profile.certified && extrema.certified;
+  profile.certification = weaker(profile.certification, weaker(stops.certification, extrema.certification));
   for (const RootBracket& bracket : extrema.at) {
     const double t = bracket.mid();
-    const bool at_cusp = std::any_of(stops.begin(), stops.end(), [t](double c) { return std::abs(c - t) < beside; });
+    const bool at_cusp =
+        std::any_of(stops.at.begin(), stops.at.end(), [t](double c) { return std::abs(c - t) < beside; });
     const double kappa = curvature_at(segment, t);
-    if (!at_cusp && std::isfinite(kappa)) inside.push_back({{index, t}, bounded(kappa), Kind::extremum});
+    if (!at_cusp && std::isfinite(kappa)) inside.push_back({{index, t}, kappa, Kind::extremum});
   }
   std::stable_sort(inside.begin(), inside.end(),
                    [](const ProfilePoint& a, const ProfilePoint& b) { return a.place.t < b.place.t; });
-  profile.points.push_back({{index, 0.0}, bounded(end_curvature(segment, 0.0)), Kind::end});
+  profile.points.push_back({{index, 0.0}, end_curvature(segment, 0.0), Kind::end});
   profile.points.insert(profile.points.end(), inside.begin(), inside.end());
-  profile.points.push_back({{index, 1.0}, bounded(end_curvature(segment, 1.0)), Kind::end});
+  profile.points.push_back({{index, 1.0}, end_curvature(segment, 1.0), Kind::end});
 }
 
 }  // namespace
+
+Method method_of(Certification certification) {
+  switch (certification) {
+    case Certification::exact:
+      return Method::exact;
+    case Certification::enclosed:
+      return Method::enclosed;
+    case Certification::sampled:
+      return Method::sampled;
+  }
+  return Method::sampled;
+}
 
 std::span<const ProfilePoint> CurvatureProfile::of_segment(int segment) const {
   const auto i = static_cast<std::size_t>(segment);
@@ -78,10 +90,10 @@ CurvatureProfile curvature_profile(const Curve& curve) {
   profile.unit = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::min();
   for (int i = 0; i < curve.size(); ++i) {
     profile.first.push_back(profile.points.size());
-    append_segment(curve.segment(i), i, steepest * profile.unit, profile);
+    append_segment(curve.segment(i), i, profile);
   }
   profile.first.push_back(profile.points.size());
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   double most = -least;
   for (const ProfilePoint& point : profile.points) {
     if (point.kind == ProfilePoint::Kind::cusp) continue;
@@ -114,6 +126,7 @@ std::vector<TurningPoint> turning_points(std::span<const ProfilePoint> sequence,
   const auto value = [&](std::size_t i) { return sequence[i].curvature; };
   const auto differ = [&](std::size_t low, std::size_t high) {
     const double scale = std::max({std::abs(value(low)), std::abs(value(high)), unit});
+    if (std::isinf(scale)) return value(high) > value(low);
     return value(high) - value(low) > std::max(prominence, rounding * scale);
   };
   std::vector<TurningPoint> found;

@@ -4,16 +4,21 @@
 #include <vector>
 
 #include "metrics/arc_map.hpp"
+#include "metrics/metric.hpp"
 #include "metrics/node_pieces.hpp"
+#include "schemes/curve/certification.hpp"
 #include "schemes/curve/curve.hpp"
 
 namespace kappabench {
+
+/// The label of a number that is as certain as this.
+[[nodiscard]] Method method_of(Certification certification);
 
 /// A point of the curvature plot between which and the next the curvature is monotone.
 struct ProfilePoint {
   enum class Kind { end, extremum, cusp };
   Place place;
-  double curvature;  ///< one-sided at a joint and at a cusp; at a cusp +-1e12 / (length of the curve)
+  double curvature;  ///< one-sided at a joint and at a cusp, where it is infinite
   Kind kind;
 };
 
@@ -21,10 +26,10 @@ struct ProfilePoint {
 /// A joint is two points, one a side, so a jump of curvature is one more (vertical) stretch.
 struct CurvatureProfile {
   std::vector<ProfilePoint> points;
-  std::vector<std::size_t> first;  ///< of each segment; one more at the end
-  bool certified = true;           ///< all extrema by certified isolation
-  double unit = 0.0;               ///< 1 / length of the curve: curvature far below it is none
-  double range = 0.0;              ///< largest minus smallest curvature, cusps left out
+  std::vector<std::size_t> first;                      ///< of each segment; one more at the end
+  Certification certification = Certification::exact;  ///< of the extrema and cusps inside all segments
+  double unit = 0.0;                                   ///< 1 / length of the curve: curvature far below it is none
+  double range = 0.0;                                  ///< largest minus smallest curvature, cusps left out
 
   [[nodiscard]] std::span<const ProfilePoint> of_segment(int segment) const;
   /// Extrema and cusps inside a segment: where to split quadrature.

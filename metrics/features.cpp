@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "metrics/curvature_profile.hpp"
 #include "metrics/node_pieces.hpp"
 #include "metrics/self_intersection.hpp"
 #include "metrics/statistics.hpp"
@@ -14,23 +15,8 @@ namespace kappabench {
 namespace {
 
 constexpr double at_place = 1e-6;  // of the mean chord
-constexpr double rounding = 1e-9;  // of the length
 constexpr double reversal = 1e-6;  // rad short of pi
-
-int sign_of(double v) { return v > 0.0 ? 1 : v < 0.0 ? -1 : 0; }
-
-/// Changes closer than rounding to each other: an odd number is one change, an even number none.
-std::vector<double> cancel_pairs(std::vector<double> positions, double close) {
-  std::sort(positions.begin(), positions.end());
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < positions.size();) {
-    std::size_t j = i + 1;
-    while (j < positions.size() && positions[j] - positions[j - 1] <= close) ++j;
-    if ((j - i) % 2 == 1) kept.push_back(positions[i + (j - i) / 2]);
-    i = j;
-  }
-  return kept;
-}
+constexpr int looks = 8;           // at a stretch of one sign, for a curvature that is more than rounding
 
 /// How many of some places are at a node, and how many of the others at a joint.
 struct Whereabouts {
@@ -75,41 +61,62 @@ class Landmarks {
   std::vector<double> joints_;
 };
 
-bool certified_inflections(const Curve& curve) {
-  return std::ranges::all_of(curve.segments(), [](const SegmentPtr& s) { return inflections(*s).certified; });
+/// A stretch of a segment on which the curvature has one sign.
+struct Stretch {
+  Place start;
+  int sign;  ///< 0: it is no more than rounding
+};
+
+/// What rounding makes of the curvature c' x c'' / |c'|^3: an error of one unit in the last place of coordinates of the
+/// size of `extent`, blown up by differentiation (degree 5: 5 in c', 20 in c'').
+double rounding_of_curvature(const Jet& jet, double extent) {
+  const double v = speed(jet);
+  return 0x1p-52 * extent * 20.0 * (v + jet.d[2].norm()) / (v * v * v);
+}
+
+int sign_on(const Segment& segment, double t0, double t1, double extent) {
+  for (int i = 0; i < looks; ++i) {
+    const Jet jet = segment.jet(t0 + (t1 - t0) * (i + 0.5) / looks, 2);
+    const double kappa = curvature(jet);
+    if (std::abs(kappa) > rounding_of_curvature(jet, extent)) return kappa > 0.0 ? 1 : -1;
+  }
+  return 0;
 }
 
 }  // namespace
 
-std::vector<double> inflection_positions(const Curve& curve, const ArcMap& arcs) {
-  std::vector<double> positions;
-  int first = 0;   // sign of the curvature where it is first not zero
-  int before = 0;  // sign of the curvature so far
+Features find_inflections(const Curve& curve, const ArcMap& arcs) {
+  Features result;
+  double extent = 0.0;
+  for (const SegmentPtr& segment : curve.segments())
+    for (const double t : {0.0, 0.5}) extent = std::max(extent, segment->jet(t, 0).position().cwiseAbs().maxCoeff());
+  extent = std::max(extent, curve.end().cwiseAbs().maxCoeff());
+  std::vector<Stretch> stretches;
   for (int i = 0; i < curve.size(); ++i) {
     const SignChanges changes = inflections(curve.segment(i));
+    result.certification = weaker(result.certification, changes.certification);
     if (changes.vanishes) continue;
-    const double until = changes.at.empty() ? 1.0 : changes.at.front().lo;
-    const int start = sign_of(curvature(curve.segment(i).jet(0.5 * until, 2)));
-    if (start == 0) continue;
-    if (before != 0 && start != before) positions.push_back(arcs.position({i, 0.0}));
-    for (const RootBracket& bracket : changes.at) positions.push_back(arcs.position({i, bracket.mid()}));
-    before = changes.at.size() % 2 == 0 ? start : -start;
-    if (first == 0) first = start;
+    double t = 0.0;
+    for (std::size_t k = 0; k <= changes.at.size(); ++k) {
+      const double end = k < changes.at.size() ? changes.at[k].mid() : 1.0;
+      const int sign = sign_on(curve.segment(i), t, end, extent);
+      if (sign != 0) stretches.push_back({{i, t}, sign});
+      t = end;
+    }
   }
-  if (curve.closed() && before != first) positions.push_back(arcs.length());
-  const double close = rounding * arcs.length();
-  for (double& s : positions) {  // both sides of the closure are one place
-    if (curve.closed() && s >= arcs.length() - close) s -= arcs.length();
-  }
-  std::vector<double> kept = cancel_pairs(positions, close);
-  for (double& s : kept) s = std::max(0.0, s);
-  return kept;
+  const std::size_t n = stretches.size();
+  for (std::size_t k = curve.closed() ? 0 : 1; k < n; ++k)
+    if (stretches[k].sign != stretches[(k + n - 1) % n].sign)
+      result.positions.push_back(arcs.position(stretches[k].start));
+  return result;
 }
 
-std::vector<double> cusp_positions(const Curve& curve, const ArcMap& arcs) {
-  std::vector<double> positions;
+Features find_reversals(const Curve& curve, const ArcMap& arcs) {
+  Features result;
   for (int i = 0; i < curve.size(); ++i) {
-    for (const double t : cusps(curve.segment(i))) positions.push_back(arcs.position({i, t}));
+    const Cusps inside = find_cusps(curve.segment(i));
+    result.certification = weaker(result.certification, inside.certification);
+    for (const double t : inside.at) result.positions.push_back(arcs.position({i, t}));
   }
   for (const Joint& joint : curve.joints()) {
     const int next = curve.next(joint.segment);
@@ -117,10 +124,10 @@ std::vector<double> cusp_positions(const Curve& curve, const ArcMap& arcs) {
       return unit_tangent(curve.segment(segment), t, side, 1e-8 * arcs.segment_length(segment));
     };
     const double angle = angle_between(tangent(joint.segment, 1.0, Side::before), tangent(next, 0.0, Side::after));
-    if (std::abs(angle) > std::numbers::pi - reversal) positions.push_back(arcs.position({joint.segment, 1.0}));
+    if (std::abs(angle) > std::numbers::pi - reversal) result.positions.push_back(arcs.position({joint.segment, 1.0}));
   }
-  std::sort(positions.begin(), positions.end());
-  return positions;
+  std::ranges::sort(result.positions);
+  return result;
 }
 
 Metric features_metric() {
@@ -129,21 +136,23 @@ Metric features_metric() {
     const ArcMap arcs(curve);
     const Landmarks landmarks(curve, arcs, mean_chord(fit.input));
     Whereabouts inflection;
-    for (const double s : inflection_positions(curve, arcs)) landmarks.count({s}, inflection);
+    const Features inflections = find_inflections(curve, arcs);
+    for (const double s : inflections.positions) landmarks.count({s}, inflection);
     Whereabouts cusp;
-    for (const double s : cusp_positions(curve, arcs)) landmarks.count({s}, cusp);
+    const Features reversals = find_reversals(curve, arcs);
+    for (const double s : reversals.positions) landmarks.count({s}, cusp);
     Whereabouts loop;
     const Crossings crossings = self_intersections(curve);
     for (const Crossing& c : crossings.found) landmarks.count({arcs.position(c.first), arcs.position(c.second)}, loop);
     if (!crossings.complete) loop = {undefined, undefined, undefined};
 
-    // Only the sign changes are certified: nearness is arc length by quadrature, a cusp is slow against a mean speed of
-    // samples, and the search for crossings carries no bound of its rounding.
+    // Only whole counts are certified: nearness is arc length by quadrature, and the search for crossings carries no
+    // bound of its rounding.
     using enum Method;
-    return std::vector<Measurement>{column::inflections(inflection.all, certified_inflections(curve) ? exact : sampled),
+    return std::vector<Measurement>{column::inflections(inflection.all, method_of(inflections.certification)),
                                     column::inflections_at_nodes(inflection.at_nodes, sampled),
                                     column::inflections_at_joints(inflection.at_joints, sampled),
-                                    column::cusps(cusp.all, sampled),
+                                    column::cusps(cusp.all, method_of(reversals.certification)),
                                     column::cusps_at_nodes(cusp.at_nodes, sampled),
                                     column::cusps_at_joints(cusp.at_joints, sampled),
                                     column::loops(loop.all, sampled),
@@ -152,7 +161,7 @@ Metric features_metric() {
   };
   return {.id = "features",
           .title = "Inflections, cusps and loops",
-          .version = 2,
+          .version = 3,
           .columns = {column::inflections, column::inflections_at_nodes, column::inflections_at_joints, column::cusps,
                       column::cusps_at_nodes, column::cusps_at_joints, column::loops, column::loops_at_nodes,
                       column::loops_at_joints},

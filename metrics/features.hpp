@@ -4,6 +4,7 @@
 
 #include "metrics/arc_map.hpp"
 #include "metrics/metric.hpp"
+#include "schemes/curve/certification.hpp"
 
 namespace kappabench {
 
@@ -21,13 +22,18 @@ inline const Column loops_at_nodes{"loops_at_nodes", "1", "self-intersections wi
 inline const Column loops_at_joints{"loops_at_joints", "1", "self-intersections, at a joint that is no node"};
 }  // namespace column
 
-/// Where the curvature of the whole curve changes sign, as arc lengths from its start, ascending: inside segments
-/// (certified where possible) and at joints. A straight stretch between opposite signs counts once, at its end; changes
-/// closer than 1e-9 of the length cancel in pairs, as rounding at a joint makes them.
-[[nodiscard]] std::vector<double> inflection_positions(const Curve& curve, const ArcMap& arcs);
+/// Places on a curve, and how their number is known.
+struct Features {
+  std::vector<double> positions;  ///< arc lengths from the start of the curve, ascending
+  Certification certification = Certification::exact;
+};
+
+/// Where the curvature of the whole curve changes sign: inside segments and at joints. A change counts if the curvature
+/// is more than rounding on both sides of it; a stretch of less between opposite signs counts once, at its end.
+[[nodiscard]] Features find_inflections(const Curve& curve, const ArcMap& arcs);
 
 /// Where the curve reverses its direction: cusps inside segments, and joints with an angle above pi - 1e-6.
-[[nodiscard]] std::vector<double> cusp_positions(const Curve& curve, const ArcMap& arcs);
+[[nodiscard]] Features find_reversals(const Curve& curve, const ArcMap& arcs);
 
 /// Inflections, cusps and self-intersections, and whether they are at a node, at a joint, or elsewhere.
 [[nodiscard]] Metric features_metric();

@@ -47,7 +47,7 @@ Metric monotone_intervals_metric() {
     const auto extrema = [&](double prominence) {
       return static_cast<double>(turning_points(profile, curve.closed(), prominence).size());
     };
-    const Method counted = profile.certified ? Method::exact : Method::sampled;
+    const Method counted = method_of(profile.certification);
     const Method cut = Method::sampled;  // pieces end at arc-length midpoints, which are quadrature
     return std::vector<Measurement>{
         column::intervals_per_segment_mean(mean(segments), counted),
@@ -65,7 +65,7 @@ Metric monotone_intervals_metric() {
   };
   return {.id = "monotone_intervals",
           .title = "Intervals of monotone curvature",
-          .version = 2,
+          .version = 3,
           .columns = {column::intervals_per_segment_mean, column::intervals_per_segment_max,
                       column::segments_with_at_most_two_intervals, column::intervals_per_centred_piece_mean,
                       column::intervals_per_centred_piece_max, column::centred_pieces_with_at_most_two_intervals,

@@ -64,8 +64,8 @@ void measure_segments(const Fit& fit, const Shape& shape, Notes& notes) {
     for (const TurningPoint& turn : turning_points(points, profile.unit))
       if (is_peak(points[turn.index], turn))
         peaks.push_back(curve.segment(k).jet(points[turn.index].place.t, 0).position());
-    notes.row({shape_key(shape.words)},
-              {more_maxima(peaks.size() > 1 ? 1 : 0), not_certified(profile.certified ? 0 : 1)});
+    notes.row({shape_key(shape.words)}, {more_maxima(peaks.size() > 1 ? 1 : 0),
+                                         not_certified(profile.certification == Certification::exact ? 0 : 1)});
     const auto node = std::ranges::find(nodes, k, &Node::segment);
     if (node == nodes.end()) continue;
     const Vec2 here = curve.segment(k).jet(node->t, 0).position();

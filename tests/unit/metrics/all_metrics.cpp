@@ -136,7 +136,7 @@ TEST_CASE("only closed forms and certified counts are exact", "[metrics]") {
                                        "continuity_curvature_jump_g2", "continuity_curvature_jump_equal_magnitude",
                                        "continuity_signed_jump_equal_magnitude", "continuity_curvature_jump_all",
                                        "continuity_first_derivative_jump", "continuity_second_derivative_jump",
-                                       "continuity_violations", "inflections"});
+                                       "continuity_violations", "inflections", "cusps"});
 }
 
 TEST_CASE("jumps of curvature against the length are not exact", "[metrics]") {

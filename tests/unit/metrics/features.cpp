@@ -1,9 +1,14 @@
 #include "metrics/features.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "metrics/self_intersection.hpp"
+#include "schemes/segments/blend.hpp"
+#include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/elliptic_arc.hpp"
+#include "schemes/segments/reparametrized.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/unit/metrics/curves.hpp"
@@ -89,6 +94,47 @@ TEST_CASE("a cubic with an inflection at its joint, spoilt by rounding, has one"
   }
 }
 
+TEST_CASE("an inflection counts if the curvature is more than rounding on both sides", "[features]") {
+  // (t, t^3 - 3 e t^2) inflects at t = e, and bends by -6 e at its start.
+  const auto count = [](double e) {
+    const Fit fit = fit_of(single(bezier({{0, 0}, {1.0 / 3.0, 0}, {2.0 / 3.0, -e}, {1, 1 - 3 * e}})));
+    return value(fit, "features", "inflections");
+  };
+  for (const double e : {1e-1, 1e-3, 1e-6, 1e-9}) CHECK(count(e) == 1.0);
+  for (const double e : {3e-16, 1e-16, 0.0, -1e-3}) CHECK(count(e) == 0.0);
+}
+
+TEST_CASE("short segments keep their inflections", "[features]") {
+  // An S of a thousandth of a millionth of the curve's length between two straight lines.
+  const double d = 1e-9;
+  const Curve curve(
+      {bezier({{-1, 0}, {0, 0}}), bezier({{0, 0}, {d, d}, {2 * d, -d}, {3 * d, 0}}), bezier({{3 * d, 0}, {1, 0}})},
+      {{0, Continuity::g0}, {1, Continuity::g0}}, {{0, 0, 0}, {1, 2, 1}}, false);
+  CHECK(value(fit_of(curve), "features", "inflections") == 1.0);
+}
+
+TEST_CASE("the number of inflections and cusps says how it is known", "[features]") {
+  const SegmentPtr parabola = bezier({{-1, 1}, {0, -1}, {1, 1}});
+  const auto arc =
+      std::make_shared<EllipticArcSegment>(EllipticArcForm{{0, 0}, {1, 0}, {0, 0.5}, std::numbers::pi, 0.0});
+  const auto method = [](const SegmentPtr& segment, const char* column) {
+    return measured(fit_of(single(segment)), "features", column).method;
+  };
+  const auto blend = std::make_shared<BlendSegment>(parabola, arc);
+  for (const char* column : {"inflections", "cusps"}) {
+    CHECK(method(parabola, column) == Method::exact);
+    CHECK(method(arc, column) == Method::exact);
+    CHECK(method(std::make_shared<ReparametrizedSegment>(arc, 2.0), column) == Method::exact);
+    CHECK(method(blend, column) == Method::enclosed);
+    CHECK(method(std::make_shared<ReparametrizedSegment>(blend, 2.0), column) == Method::enclosed);
+  }
+  // Nothing is proved of a circle that is blended with itself.
+  const auto circle = std::make_shared<ClothoidSegment>(ClothoidForm{{0, 0}, 0.0, 1.0, 0.0, 1.0});
+  CHECK(measured(fit_of(single(std::make_shared<BlendSegment>(circle, circle))), "monotone_intervals",
+                 "curvature_extrema")
+            .method == Method::sampled);
+}
+
 TEST_CASE("cusps: inside a segment and at a joint", "[features]") {
   const Fit inside = fit_of(single(bezier({{0, 0}, {1, 1}, {0, 1}, {1, 0}}), 0.5));
   CHECK(value(inside, "features", "cusps") == 1.0);
@@ -158,7 +204,7 @@ TEST_CASE("inflections of a closed eight are found at the closure as well", "[fe
   const SegmentPtr left = bezier({{0, 0}, {-4, 4}, {-4, -4}, {0, 0}});
   const Curve eight({right, left}, {{0, Continuity::g1}, {1, Continuity::g1}}, {{0, 0, 0.5}, {1, 1, 0.5}}, true);
   const ArcMap arcs(eight);
-  const std::vector<double> found = inflection_positions(eight, arcs);
+  const std::vector<double> found = find_inflections(eight, arcs).positions;
   REQUIRE(found.size() == 2);
   CHECK(found[0] == 0.0);
   CHECK(found[1] == Approx(0.5 * arcs.length()));

@@ -1,5 +1,6 @@
 #include "metrics/monotone_intervals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "metrics/curvature_profile.hpp"
@@ -96,4 +97,22 @@ TEST_CASE("a cusp is one extremum, however rounding splits it", "[intervals]") {
     CHECK(value(fit, "monotone_intervals", "curvature_extrema") == 1.0);
     CHECK(value(fit, "monotone_intervals", "intervals_per_segment_max") == 2.0);
   }
+}
+
+TEST_CASE("curvature near a cusp is what it is, at a cusp infinite", "[intervals]") {
+  const auto profile_of = [](double e) {
+    return curvature_profile(single(bezier({{0, 0}, {1 + e, 1}, {-e, 1}, {1, 0}})));
+  };
+  for (const double e : {1e-3, 1e-5, 1e-6, 1e-7}) {
+    // At t = 1/2: c' = (-3 e / 2, 0), c'' = (0, -6), so that kappa = 6 / |c'|^2 up to its sign.
+    const double expected = 6.0 / (2.25 * e * e);
+    const CurvatureProfile profile = profile_of(e);
+    double most = 0.0;
+    for (const ProfilePoint& point : profile.points) most = std::max(most, std::abs(point.curvature));
+    CHECK(most == Approx(expected).epsilon(1e-6));
+  }
+  const CurvatureProfile cusp = profile_of(0.0);
+  CHECK(std::isinf(cusp.points[1].curvature));
+  CHECK(std::isfinite(cusp.range));
+  CHECK(turning_points(cusp, false).size() == 1);
 }

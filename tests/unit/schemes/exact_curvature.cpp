@@ -354,7 +354,8 @@ Tally compare_many(const char* kind, const std::function<SegmentPtr(Random&)>& m
       if (!fault.empty()) FAIL_CHECK(kind << ' ' << i << (of_slope ? ", extrema: " : ", inflections: ") << fault);
     }
   }
-  WARN(kind << ' ' << tally.changes << ' ' << tally.close_pairs << ' ' << tally.sampled);
+  UNSCOPED_INFO(kind << ": " << tally.changes << " changes, " << tally.close_pairs << " pairs closer than samples, "
+                     << tally.sampled << " sampled");
   return tally;
 }
 
