@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "metrics/arc_samples.hpp"
-#include "metrics/tangents.hpp"
 #include "schemes/curve/exact_curvature.hpp"
 #include "schemes/curve/steady_stretches.hpp"
+#include "schemes/curve/tangents.hpp"
 
 namespace kappabench {
 namespace {

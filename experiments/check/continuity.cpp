@@ -30,14 +30,14 @@ Finding test(const SchemeUnderTest& subject) {
   long as_promised = 0, joints = 0;
   for (const Trial* trial : subject.curves()) {
     notes.count("curves");
-    for (const JointJump& jump : joint_jumps(*trial->fit.curve, mean_chord(trial->fit.input))) {
+    for (const JointJump& jump : joint_jumps(*trial->fit.curve, trial->fit.input)) {
       notes.count("joints");
       ++joints;
       const Refutation place{fmt::format("{}, end of segment {}", trial->shown.name, jump.joint.segment), numbers(jump),
                              fit_command(trial->shown, subject.text())};
       const bool promised = implies(jump.joint.claimed, traits.continuity);
       if (promised) ++as_promised;
-      if (!jump.meets_claim() || (!promised && traits.continuity_exceptions.empty())) notes.refute(place);
+      if (!jump.meets_claim || (!promised && traits.continuity_exceptions.empty())) notes.refute(place);
     }
   }
   notes.say(fmt::format("{}{}", kappabench::name(traits.continuity),

@@ -57,7 +57,7 @@ void judge(Report& report, const Curve& curve, const Input& input, const Resolut
   std::string message = report.outcome == Outcome::converged ? unsoundness(curve, input, resolution) : "";
   if (!message.empty()) {
     report.outcome = Outcome::not_converged;
-    report.message = std::move(message);
+    report.message = "misses its claim: " + message;
   }
   for (const Warning& warning : warnings_of(curve)) {
     report.warnings[warning.name] = warning.spans;

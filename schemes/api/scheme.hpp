@@ -11,7 +11,7 @@
 
 namespace kappabench {
 
-/// What a scheme claims about itself; the conformance suite and the metrics test the claims.
+/// What a scheme claims about itself; the claims that `kappabench check` tries and the metrics test the claims.
 struct SchemeTraits {
   bool open = true;
   bool closed = true;
