@@ -44,7 +44,7 @@ Fit tried_refit(const Scheme& scheme, const Fit& fit, const Edit& edit) {
 }
 
 bool misses_own_claim(const Fit& fit) {
-  return fit.report.outcome == Outcome::not_converged && fit.report.message.find("claim") != std::string::npos;
+  return fit.report.outcome == Outcome::not_converged && fit.report.message.starts_with("misses its claim: ");
 }
 
 SchemeUnderTest::SchemeUnderTest(std::string text, std::function<SchemePtr()> make)

@@ -186,18 +186,25 @@ Report report_of(const Layout& layout) {
   return report;
 }
 
+bool is_line(const Segment& segment) {
+  return static_cast<const ClothoidSegment&>(segment).form().curvature == 0.0 &&
+         static_cast<const ClothoidSegment&>(segment).form().curvature_rate == 0.0;
+}
+
 /// The published rules accept lines and aligned points that are a little off.
 bool lets_kinks_pass(const Parameters& parameters) {
   return parameters.flag("compat") || parameters.text("pieces") == "clc";
 }
 
-/// The curve with no more claimed at its joints than is true.
-Curve as_found(const Curve& curve) {
+/// The curve with no more claimed at its joints than is true: at all of them, or at those of lines, for data that are
+/// straight to rounding are made so.
+Curve as_found(const Curve& curve, bool at_all_joints) {
   std::vector<Joint> joints = curve.joints();
-  for (Joint& joint : joints)
-    if (joint.claimed == Continuity::g2)
-      joint.claimed =
-          claim_found(curve.segment(joint.segment), curve.segment(curve.next(joint.segment)), joint.claimed);
+  for (Joint& joint : joints) {
+    const Segment &before = curve.segment(joint.segment), &after = curve.segment(curve.next(joint.segment));
+    if (joint.claimed == Continuity::g2 && (at_all_joints || is_line(before) || is_line(after)))
+      joint.claimed = claim_found(before, after, joint.claimed);
+  }
   return {curve.segments(), std::move(joints), curve.nodes(), curve.closed()};
 }
 
@@ -223,8 +230,7 @@ Fit Clothoid3::solve(const Input& input) const {
         {.segments = std::move(segments), .inside = Continuity::g2, .at_end = kept ? Continuity::g2 : Continuity::g0});
   }
   const Curve curve = curve_of_spans(std::move(spans), input.closed);
-  return {
-      .input = input, .curve = lets_kinks_pass(parameters()) ? as_found(curve) : curve, .report = report_of(layout)};
+  return {.input = input, .curve = as_found(curve, lets_kinks_pass(parameters())), .report = report_of(layout)};
 }
 
 void register_clothoid3(Registry& registry) { registry.add<Clothoid3>(); }

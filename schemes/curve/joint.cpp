@@ -42,7 +42,9 @@ JointSide moving_side_of(const Segment& segment, bool at_end, double rounding) {
 
 JointSide side_of(const Segment& segment, bool at_end, double rounding) {
   JointSide side = moving_side_of(segment, at_end, rounding);
-  if (side.first.norm() > side.first_error) return side;
+  // Coordinates say nothing of the direction of what is made from angles or axes, however short it is.
+  const double rest = segment.bezier_points().empty() ? 0.0 : side.first_error;
+  if (side.first.norm() > rest) return side;
   side.tangent = unit_tangent(segment, at_end ? 1.0 : 0.0, at_end ? Side::before : Side::after, side.first_error);
   side.tangent_error = side.second_error / side.second.norm();
   return side;

@@ -64,7 +64,8 @@ Jumps jumps_of(std::span<const SpiroBend> bends, std::span<const Vec2> chords, b
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](std::size_t row, std::size_t bend, const Derived& number, double factor) {
     entries.emplace_back(static_cast<int>(row), static_cast<int>(2 * bend), factor * number.by_k0);
-    entries.emplace_back(static_cast<int>(row), static_cast<int>(2 * bend + 1), factor * number.by_k1);
+    const bool arc = !closed && (bend == 0 || bend + 1 == n);
+    if (!arc) entries.emplace_back(static_cast<int>(row), static_cast<int>(2 * bend + 1), factor * number.by_k1);
   };
   for (std::size_t i = 0; i < joints; ++i) {
     const std::size_t next = (i + 1) % n;

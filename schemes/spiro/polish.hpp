@@ -12,9 +12,8 @@ struct SpiroBend {
 };
 
 /// Bends that are almost those of a spline of continuous heading and curvature, made to be so to rounding, as far as
-/// Newton's method can within a few steps: libspiro stops at jumps of about 1e-8. The step is the shortest one that
-/// closes all jumps, so that what an open end was given stays but for what they demand. `chords[i]` is what bend i
-/// spans; bend i meets bend i + 1, and the last one the first if `closed`.
+/// Newton's method can within a few steps: libspiro stops at jumps of about 1e-8. The open ends stay circular
+/// arcs (k1 = 0). `chords[i]` is what bend i spans; bend i meets bend i + 1, and the last one the first if `closed`.
 void polish(std::span<SpiroBend> bends, std::span<const Vec2> chords, bool closed);
 
 }  // namespace kappabench

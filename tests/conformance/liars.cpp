@@ -260,8 +260,7 @@ TEST_CASE("points without a node and nodes beside their points are refuted") {
   };
   CHECK(only(refuted(info, missing), {"interpolation"}));
   const auto beside = [](const Input& input) {
-    return with_nodes(honest(input),
-                      [](std::vector<Node>& nodes) { nodes[1].t = nodes[1].t == 0.0 ? 1e-6 : 0.999999; });
+    return with_nodes(honest(input), [](std::vector<Node>& nodes) { nodes[1].t = nodes[1].t == 0.0 ? 1e-3 : 0.999; });
   };
   CHECK(only(refuted(info, beside), {"interpolation"}));
 }

@@ -295,8 +295,8 @@ void claim_continuity(Findings& found) {
       "g2-except-inflections", kept.in_general(), kept.words() + " joints",
       fmt::format("{} joints elsewhere: largest relative jump of curvature {:.2g}, largest angle {:.2g} rad; "
                   "{} joints at inflections: largest angle {:.2g} rad, |κ| agrees to {:.2g} but has opposite "
-                  "signs. A miss is an angle above 1e-7 rad or a relative jump above 1e-6, rounding of the "
-                  "control points allowed for{}{}. {:.0f} of {} fits are left out: no solution found or input "
+                  "signs. A miss is what rounding of the control points does not explain "
+                  "(metrics/README.md, continuity){}{}. {:.0f} of {} fits are left out: no solution found or input "
                   "that a scheme cannot take.",
                   others.size(), others.largest(jump), others.largest(angle), inflections.size(),
                   inflections.largest(angle), inflections.largest(jump), where.empty() ? "" : "; the misses are in ",

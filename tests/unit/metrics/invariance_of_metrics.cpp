@@ -126,6 +126,12 @@ void check_that_columns_stay(const Drawn& drawn, const Rewritten& rewritten) {
   }
 }
 
+/// Counts and places of slight extrema, which rounding of the coordinates makes and unmakes: a C2 cubic spline has one
+/// at nearly every point, as kinks of its curvature, and natural ends without curvature.
+bool decided_by_rounding(const Drawn& drawn, const Rewritten& way) {
+  return way.offset > 0.0 && std::string_view(drawn.scheme) == "cubic-spline";
+}
+
 }  // namespace
 
 TEST_CASE("no metric depends on how a curve is written down", "[metrics][invariance_of_metrics]") {
@@ -135,24 +141,18 @@ TEST_CASE("no metric depends on how a curve is written down", "[metrics][invaria
       {.name = "from the third point", .first = 2},
       {.name = "mirrored, reversed, from the fourth point", .mirror = true, .reverse = true, .first = 3},
       {.name = "at scale 1e-6", .scale = 1e-6},
-      {.name = "at scale 1e6", .scale = 1e6}};
-  for (const Drawn& drawn : drawings()) {
+      {.name = "at scale 1e6", .scale = 1e6},
+      {.name = "at scale 1e-150", .scale = 1e-150},
+      {.name = "at scale 1e150", .scale = 1e150},
+      {.name = "1e7 chords away", .offset = 1e7}};
+  for (const Drawn& drawn : drawings())
     for (const Rewritten& way : ways) {
       const bool another_curve = way.reverse && !scheme(drawn.scheme)->info().traits.reversal_invariant;
-      // The linear system of hobby has rows in 1/length and, at open ends, rows without unit: it loses digits at a
-      // small scale. It is below, with what is extreme.
-      const bool loses_digits = std::string_view(drawn.scheme) == "hobby" && way.scale == 1e-6;
-      if (!another_curve && !loses_digits) check_that_columns_stay(drawn, way);
+      if (!another_curve && !decided_by_rounding(drawn, way)) check_that_columns_stay(drawn, way);
     }
-  }
 }
 
-TEST_CASE("nor where it is and how large, however far and extreme", "[.][metrics][invariance_of_metrics][far]") {
-  const std::vector<Rewritten> ways{{.name = "at scale 1e-6", .scale = 1e-6},
-                                    {.name = "1e7 chords away", .offset = 1e7},
-                                    {.name = "1e9 chords away", .offset = 1e9},
-                                    {.name = "at scale 1e-150", .scale = 1e-150},
-                                    {.name = "at scale 1e150", .scale = 1e150}};
-  for (const Drawn& drawn : drawings())
-    for (const Rewritten& way : ways) check_that_columns_stay(drawn, way);
+TEST_CASE("so far out that rounding decides", "[.][metrics][invariance_of_metrics][far]") {
+  for (const double offset : {1e7, 1e9})
+    for (const Drawn& drawn : drawings()) check_that_columns_stay(drawn, {.name = "far away", .offset = offset});
 }

@@ -351,7 +351,10 @@ TEST_CASE("degenerate input of clothoid3") {
         REQUIRE(fit.curve.has_value());
         for (const Jet& jet : sample(*fit.curve, 5, 4).jets)
           for (const Vec2& d : jet.d) CHECK(d.allFinite());
-        if (text == "clothoid3" || text == "clothoid3:curvature=conic") CHECK(fit.report.outcome == Outcome::converged);
+        if (text == "clothoid3") CHECK(fit.report.outcome == Outcome::converged);
+        // Corners out of arcs of 1e-17 with curvatures of 1e16: the framework does not believe them.
+        if (text == "clothoid3:curvature=conic" && fit.report.outcome != Outcome::converged)
+          CHECK_THAT(fit.report.message, ContainsSubstring("misses its claim"));
       }
     CHECK(scheme(text)->fit({.points = {{0, 0}, {1, 1}, {1, 1}, {2, 0}}, .closed = false}).report.outcome ==
           Outcome::unsupported_input);
