@@ -15,13 +15,17 @@ constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F0
                              "#882255", "#332288", "#999933", "#661100", "#44AA99", "#777777"};
 constexpr std::array markers{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 
+std::string spaced(std::string words) {
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
 std::string outcome_words(const store::CellRecord& cell) {
   std::string words = cell.outcome;
   for (const auto& curve : cell.curves)
     for (const auto& warning : curve.warnings)
       if (words.find(warning.first) == std::string::npos) words += ", " + warning.first;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+  return spaced(words);
 }
 
 bool wild(const store::CellRecord& cell) {
@@ -105,7 +109,8 @@ std::vector<std::string> enter_cells(const std::vector<const store::CellRecord*>
     lines.push_back(fmt::format("lw 2.2 lc rgb '{}'{}", context.key.colour(label), converged ? "" : " dt (8,5)"));
     const std::string outcome = plain ? "" : fmt::format(" ({}{})", outcome_words(*cell), curve ? "" : ", no curve");
     if (cells.size() == 1 && drawn.title.empty()) drawn.title = label;
-    if (cells.size() == 1 && !plain) remark(drawn, label + outcome);
+    // Short under a panel; the legend says which one, and the warnings.
+    if (cells.size() == 1 && !converged) remark(drawn, curve ? spaced(cell->outcome) : label + outcome);
     const bool told = cells.size() == 1 && (!curve || (plain && drawn.title.find(label) != std::string::npos));
     if (!told) context.key.add({label + outcome, lines.back(), ""});
   }

@@ -40,25 +40,35 @@ std::string missed(const Curve& curve, const Joint& joint, const JointMiss& miss
   return {};
 }
 
+/// The control points of a segment, if it has any: asked for once, for a curve may have a million segments.
+using Hull = std::span<const Vec2>;
+
 /// The ends of what is no Bézier segment are left to the joints and nodes.
-bool finite_inside(const Segment& segment) {
-  if (const std::span<const Vec2> points = segment.bezier_points(); !points.empty()) {
+bool finite_inside(const Segment& segment, const Hull& hull) {
+  if (!hull.empty()) {
     Vec2 zero = Vec2::Zero();  // x - x is not 0 but for finite x
-    for (const Vec2& p : points) zero += p - p;
+    for (const Vec2& p : hull) zero += p - p;
     return zero == Vec2::Zero();
   }
   const Jet jet = segment.jet(0.5, 2);
   return jet.d[0].allFinite() && jet.d[1].allFinite() && jet.d[2].allFinite();
 }
 
-std::string unmet_point(const Curve& curve, const Input& input, const Resolution& resolution) {
+Vec2 position_at_node(const Segment& segment, const Hull& hull, double t) {
+  if (!hull.empty() && (t == 0.0 || t == 1.0)) return t == 0.0 ? hull.front() : hull.back();
+  return segment.jet(t, 0).position();
+}
+
+std::string unmet_point(const Curve& curve, std::span<const Hull> hulls, const Input& input,
+                        const Resolution& resolution) {
   std::vector<char> has_node(input.points.size(), 0);
   for (const Node& node : curve.nodes()) {
     if (node.point < 0 || node.point >= input.size())
       return fmt::format("a node names point {}; the points are 0 to {}", node.point, input.size() - 1);
     const auto point = static_cast<std::size_t>(node.point);
     has_node[point] = 1;
-    const Vec2 at = position_at(curve.segment(node.segment), node.t);
+    const Vec2 at =
+        position_at_node(curve.segment(node.segment), hulls[static_cast<std::size_t>(node.segment)], node.t);
     if (at == input.points[point]) continue;
     const double gap = (at - input.points[point]).norm();
     const double allowed = solved * resolution.chord +
@@ -84,13 +94,19 @@ std::string unsoundness(const Curve& curve, const Input& input, const Resolution
   if (curve.closed() != input.closed)
     return fmt::format("the curve is {}, the input {}", curve.closed() ? "closed" : "open",
                        input.closed ? "closed" : "open");
-  for (int i = 0; i < curve.size(); ++i)
-    if (!finite_inside(curve.segment(i))) return fmt::format("segment {} is not finite", i);
-  if (std::string point = unmet_point(curve, input, resolution); !point.empty()) return point;
+  std::vector<Hull> hulls;
+  hulls.reserve(curve.segments().size());
+  for (const SegmentPtr& segment : curve.segments()) hulls.push_back(segment->bezier_points());
+  for (std::size_t i = 0; i < hulls.size(); ++i)
+    if (!finite_inside(*curve.segments()[i], hulls[i])) return fmt::format("segment {} is not finite", i);
+  if (std::string point = unmet_point(curve, hulls, input, resolution); !point.empty()) return point;
   for (const Joint& joint : curve.joints()) {
-    const Segment &before = curve.segment(joint.segment), &after = curve.segment(curve.next(joint.segment));
-    if (plainly_keeps(before.bezier_points(), after.bezier_points(), joint.claimed, resolution.chord)) continue;
-    if (const auto miss = miss_of(sides_of(before, after, resolution.rounding), joint.claimed, resolution.chord))
+    const int next = curve.next(joint.segment);
+    if (plainly_keeps(hulls[static_cast<std::size_t>(joint.segment)], hulls[static_cast<std::size_t>(next)],
+                      joint.claimed, resolution.chord))
+      continue;
+    const JointSides sides = sides_of(curve.segment(joint.segment), curve.segment(next), resolution.rounding);
+    if (const auto miss = miss_of(sides, joint.claimed, resolution.chord))
       return missed(curve, joint, *miss, resolution);
   }
   return {};

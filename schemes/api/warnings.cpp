@@ -41,19 +41,34 @@ void for_parts(const Curve& curve, const Span& span, Part part) {
 
 /// All control legs within acos(1/3) of the chord: then the span advances along it everywhere, so that it neither
 /// winds nor crosses itself, and its length is below 3 chords.
+bool legs_advance(std::span<const Vec2> b, const Vec2& chord) {
+  const double squared = chord.squaredNorm();
+  bool advance = true;
+  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+    const Vec2 leg = b[i + 1] - b[i];
+    const double along = leg.dot(chord);
+    advance &= along >= 0.0 && long_span * long_span * along * along >= leg.squaredNorm() * squared;
+  }
+  return advance;
+}
+
 bool plainly_tame(const Curve& curve, const Span& span, const Vec2& chord) {
   bool tame = true;
-  const double squared = chord.squaredNorm();
   for_parts(curve, span, [&](const Segment& segment, double, double) {
     const std::span<const Vec2> b = segment.bezier_points();
-    if (b.empty()) tame = false;
-    for (std::size_t i = 0; tame && i + 1 < b.size(); ++i) {
-      const Vec2 leg = b[i + 1] - b[i];
-      const double along = leg.dot(chord);
-      tame = along >= 0.0 && long_span * long_span * along * along >= leg.squaredNorm() * squared;
-    }
+    tame = tame && !b.empty() && legs_advance(b, chord);
   });
   return tame;
+}
+
+/// The same for the commonest span, one Bézier segment from end to end: `to` is its end or the start of the next one.
+bool plainly_tame_segment(const Curve& curve, const Span& span) {
+  const int segment = span.from.segment;
+  const bool whole =
+      span.to.segment == segment ? span.to.t == 1.0 : span.to.t == 0.0 && span.to.segment == curve.next(segment);
+  if (!whole) return false;
+  const std::span<const Vec2> b = curve.segment(segment).bezier_points();
+  return !b.empty() && legs_advance(b, b.back() - b.front());
 }
 
 struct Wildness {
@@ -117,6 +132,7 @@ std::vector<Warning> warnings_of(const Curve& curve) {
   for (std::size_t i = 0; i < spans; ++i) {
     const Span span{nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0]};
     if (span.from.point == span.to.point) continue;
+    if (span.from.t == 0.0 && plainly_tame_segment(curve, span)) continue;
     const Vec2 chord = position_at(curve.segment(span.to.segment), span.to.t) -
                        position_at(curve.segment(span.from.segment), span.from.t);
     if (plainly_tame(curve, span, chord)) continue;
