@@ -113,3 +113,36 @@ TEST_CASE("no converged fit misses its claim: random and hostile inputs of all s
   }
   CHECK(seen.converged > seen.fits / 3);
 }
+
+TEST_CASE("a refit far away or at an extreme size is the fit of the edited input", "[soundness]") {
+  const Input home = random_input(RandomKind::star, 10, 9, true);
+  for (const SchemeInfo& info : all_schemes().list()) {
+    const SchemePtr scheme = all_schemes().create(info.id);
+    if (!info.traits.similarity_invariant || !info.traits.refit_is_fit) continue;
+    for (const auto& [scale, offset] : {std::pair{1.0, 1e6}, {1e-120, 0.0}, {1e120, 0.0}}) {
+      INFO(info.id << " at scale " << scale << ", " << offset << " chords away");
+      const auto there = [scale = scale, offset = offset](const Vec2& p) -> Vec2 {
+        return scale * (p + Vec2(offset, -0.5 * offset));
+      };
+      Input input = home;
+      for (Vec2& p : input.points) p = there(p);
+      const Fit before = scheme->fit(input);
+      for (const Edit& edit :
+           {Edit{Move{.point = 3, .to = there(home.points[3] + Vec2(0.05, 0.02))}},
+            Edit{Insert{.before = 1, .at = there(0.5 * (home.points[0] + home.points[1]))}}, Edit{Erase{.point = 7}}}) {
+        const Fit warm = scheme->refit(before, edit), cold = scheme->fit(kappabench::apply(input, edit));
+        REQUIRE(warm.report.outcome == Outcome::converged);
+        REQUIRE(cold.report.outcome == Outcome::converged);
+        CHECK(warm.input.points == cold.input.points);
+        REQUIRE(warm.curve->size() == cold.curve->size());
+        // Both are rounded to coordinates `offset` chords out, and what a solver finds from them is a little more so.
+        const double allowed = 1e-9 + 64.0 * 0x1p-52 * offset;
+        for (int k = 0; k < cold.curve->size(); ++k)
+          for (const double t : {0.0, 0.5, 1.0}) {
+            const Vec2 gap = position_at(warm.curve->segment(k), t) - position_at(cold.curve->segment(k), t);
+            CHECK(gap.norm() <= allowed * scale);
+          }
+      }
+    }
+  }
+}

@@ -49,12 +49,14 @@ const Quantity conditions = count_of("conditions"), fits = count_of("fits"), sol
 const Quantity reshaped{"reshaped", "1", Method::sampled};
 const Quantity level_fits = count_of("level fits");
 const Quantity level_ends{"level ends", "1", Method::sampled};
-const Quantity lengths = count_of("lengths"), lengths_by_formula = count_of("lengths by Eq. (8)");
+// "By Eq. (8)" is decided by the distance of two lengths that both come from quadrature.
+const Quantity lengths = count_of("lengths"),
+               lengths_by_formula{"lengths by Eq. (8)", "1", kappabench::Method::sampled};
 const Quantity largest_gap{"largest gap", "1", Method::sampled};
 const Quantity largest_end_slope{"largest end slope", "1", Method::sampled};
 /// Symmetric S-shapes: the tangents at both ends are parallel.
 const Quantity parallel = count_of("parallel tangents"), parallel_solved = count_of("parallel tangents solved"),
-               parallel_by_formula = count_of("parallel tangents by Eq. (8)");
+               parallel_by_formula{"parallel tangents by Eq. (8)", "1", kappabench::Method::sampled};
 
 Settings with_p(double p) {
   Settings settings;

@@ -39,7 +39,8 @@ constexpr double rounding = 1e-9;  ///< of a jump that is none
 const Key control{"control"};
 const Quantity tried = count_of("chains"), solved = count_of("solved"), segments = count_of("segments");
 const Quantity intervals_before = count_of("intervals before"), intervals_after = count_of("intervals after");
-const Quantity jump_before{"jump before", "1", Method::exact}, jump_after{"jump after", "1", Method::exact};
+// Relative to 1 / length where the curvature is slight, and that is quadrature.
+const Quantity jump_before{"jump before", "1", Method::sampled}, jump_after{"jump after", "1", Method::sampled};
 /// Of a control curvature, times the mean chord; the controls come from a solver.
 const Quantity moved{"control moved", "1", Method::sampled};
 
