@@ -45,6 +45,7 @@ std::vector<JointJump> joint_jumps(const Curve& curve, const Input& input) {
   const Resolution resolution = resolution_of(input);
   const double chord = resolution.chord / frame.scale, length = ArcMap(local).length();
   std::vector<JointJump> jumps;
+  jumps.reserve(local.joints().size());
   for (const Joint& joint : local.joints()) {
     const JointSides sides = sides_of(local.segment(joint.segment), local.segment(local.next(joint.segment)),
                                       resolution.rounding / frame.scale);
@@ -67,6 +68,7 @@ Metric continuity_metric() {
     const auto largest = [](const Column& column, const std::vector<JointJump>& jumps, double JointJump::*value,
                             Method method = Method::exact) {
       std::vector<double> values;
+      values.reserve(jumps.size());
       for (const JointJump& jump : jumps) values.push_back(jump.*value);
       return column(kappabench::largest(values), method);
     };

@@ -64,8 +64,8 @@ Finding test_cyclic_shift(const SchemeUnderTest& subject) {
     if (!input.closed) continue;
     const int n = input.size();
     for (const int by : {1, n / 2}) {
-      std::vector<int> order;
-      for (int i = 0; i < n; ++i) order.push_back((i + by) % n);
+      std::vector<int> order(static_cast<std::size_t>(n));
+      for (int i = 0; i < n; ++i) order[static_cast<std::size_t>(i)] = (i + by) % n;
       const Case shown = changed(trial->shown, fmt::format("point {} first", by), reordered(input, order));
       const Fit fit = subject.fit(shown.input);
       const double found =

@@ -129,7 +129,7 @@ bool plainly_keeps(std::span<const Vec2> before, std::span<const Vec2> after, Co
   if (!(std::min(aa, bb) > slow * chord * chord && a.dot(b) > 0.0 && sine * sine <= tight * aa * bb)) return false;
   if (claimed == g1) return true;
   if (m < 2 || after.size() < 3) return false;
-  const double degree0 = static_cast<double>(m), degree1 = static_cast<double>(after.size() - 1);
+  const auto degree0 = static_cast<double>(m), degree1 = static_cast<double>(after.size() - 1);
   const Vec2 second0 = degree0 * (degree0 - 1.0) * (a - (before[m - 1] - before[m - 2]));
   const Vec2 second1 = degree1 * (degree1 - 1.0) * ((after[2] - after[1]) - b);
   const double close = tight * chord * chord;

@@ -25,7 +25,7 @@ struct Ends {
 };
 
 Ends ends_of(const SpiroBend& bend, const Vec2& chord) {
-  const auto [k0, k1] = bend;
+  const double k0 = bend.k0, k1 = bend.k1;
   // The way from end to end for unit length, and its derivatives: integrals of (1, i s, i s^2 / 2) exp(i (k0 s + k1 s^2
   // / 2)), s = u - 1/2.
   const auto m = clothoid_moments(-0.5 * k0 + 0.125 * k1, k0 - 0.5 * k1, k1);

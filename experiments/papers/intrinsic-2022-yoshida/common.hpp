@@ -81,6 +81,7 @@ void keep_controls(const Fit& fit, store::CellRecord& cell);
 /// curvatures over their Greville abscissae with a tick for every knot: marks for panels of curvature. All segments
 /// have B-spline curvature.
 template <Fit (*Make)(const Uses&)>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): both are moved from
 void draw(std::vector<CellJob>& jobs, Uses uses, const std::string& dataset, std::string label = "curve") {
   Uses marks = uses;
   marks.work += ", control curvatures";

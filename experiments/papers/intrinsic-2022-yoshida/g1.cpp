@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 #include "experiments/papers/intrinsic-2022-yoshida/common.hpp"
@@ -232,8 +231,10 @@ Table failure_table(const Findings& found) {
               fmt::format("{} in all; at most {} are listed. Radians, and chords.", failures.size(), most));
   table.numbers("theta_e").numbers("theta_d").numbers("p").numbers("gap");
   const auto number = [](const Row& row, const Key& key) { return std::get<double>(row[key]); };
-  for (const Row* row : failures | std::views::take(most))
-    table.row({number(*row, chord_angle), number(*row, turning), number(*row, with), (*row)[failure_gap]});
+  std::size_t listed = 0;
+  for (const Row* row : failures)
+    if (++listed <= most)
+      table.row({number(*row, chord_angle), number(*row, turning), number(*row, with), (*row)[failure_gap]});
   return table;
 }
 
