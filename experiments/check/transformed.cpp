@@ -37,7 +37,7 @@ Vec2 Similarity::linear(Vec2 p) const {
   return scale * Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
 }
 
-Vec2 Similarity::operator()(Vec2 p) const { return linear(p) + shift; }
+Vec2 Similarity::operator()(const Vec2& p) const { return linear(p) + shift; }
 
 Similarity Similarity::inverse() const {
   // A mirror is its own inverse; before it, the turn runs the other way.

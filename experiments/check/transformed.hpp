@@ -15,7 +15,7 @@ struct Similarity {
   Vec2 shift = Vec2::Zero();
   bool mirror = false;
 
-  [[nodiscard]] Vec2 operator()(Vec2 p) const;
+  [[nodiscard]] Vec2 operator()(const Vec2& p) const;
   /// Of directions, derivatives, differences.
   [[nodiscard]] Vec2 linear(Vec2 p) const;
   [[nodiscard]] Similarity inverse() const;

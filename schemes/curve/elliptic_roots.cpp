@@ -38,7 +38,8 @@ bool extreme_at(const Speed& speed, double w) {
 SignChanges speed_extrema(const EllipticArcForm& form, bool minima_only) {
   SignChanges result;
   const Speed speed(form);
-  const Digits pi = boost::math::constants::pi<Digits>(), phase = atan2(speed.twice_sine, speed.twice_cosine);
+  const auto& pi = boost::math::constants::pi<Digits>();
+  const Digits phase = atan2(speed.twice_sine, speed.twice_cosine);
   const auto turns_at = [&](double w) -> Digits { return (2 * Digits(w) - phase) / pi; };
   const auto [low, high] = std::minmax(form.from, form.to);
   const Digits first = turns_at(low), last = turns_at(high);
