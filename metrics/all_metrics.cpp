@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "metrics/continuity.hpp"
@@ -28,10 +29,6 @@ bool measurable(const Fit& fit) {
   return finite && has_length;
 }
 
-Fit placed(const Fit& fit, const Placement& placement) {
-  return {place(fit.input, placement), place(*fit.curve, placement), fit.report};
-}
-
 }  // namespace
 
 Metric guarded(Metric metric) {
@@ -39,7 +36,9 @@ Metric guarded(Metric metric) {
     // A scheme that is not similarity invariant is asked to fit again where the drawing lies.
     const bool in_frame = inner.in_frame && (!inner.refits || scheme.info().traits.similarity_invariant);
     const Placement frame = fit.curve ? frame_of(fit.input) : Placement{};
-    const Fit local = frame.is_identity() ? fit : placed(fit, frame.inverse());
+    std::optional<Fit> moved;
+    if (!frame.is_identity()) moved = place(fit, frame.inverse());
+    const Fit& local = moved ? *moved : fit;
     std::vector<Measurement> row;
     if (!measurable(local)) {
       for (const Column& column : inner.columns) row.push_back(column(undefined, Method::sampled));

@@ -9,6 +9,7 @@
 
 #include "metrics/correspondence.hpp"
 #include "metrics/statistics.hpp"
+#include "metrics/transformed.hpp"
 #include "schemes/api/edit.hpp"
 
 namespace kappabench {
@@ -16,63 +17,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double perturbation = 1e-9;  // of the mean chord
-
-/// x -> scale * turn(mirror(x)) + shift.
-struct Similarity {
-  double scale = 1.0;
-  double angle = 0.0;
-  Vec2 shift = Vec2::Zero();
-  bool mirror = false;
-
-  [[nodiscard]] Vec2 operator()(Vec2 p) const {
-    if (mirror) p.y() = -p.y();
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return scale * Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()) + shift;
-  }
-  /// Tangents and curvatures that a user has given move along.
-  [[nodiscard]] PointOptions operator()(PointOptions options) const {
-    if (options.tangent) options.tangent = (mirror ? -*options.tangent : *options.tangent) + angle;
-    if (options.curvature) options.curvature = (mirror ? -*options.curvature : *options.curvature) / scale;
-    return options;
-  }
-};
-
-Input transformed(Input input, const Similarity& map) {
-  for (Vec2& p : input.points) p = map(p);
-  for (PointOptions& options : input.options) options = map(options);
-  return input;
-}
-
-/// The points in another order: new point i is old point order[i].
-Input reordered(const Input& input, const std::vector<int>& order) {
-  Input result;
-  result.closed = input.closed;
-  for (const int i : order) {
-    result.points.push_back(input.points[static_cast<std::size_t>(i)]);
-    result.ids.push_back(input.id_of(i));
-    if (!input.options.empty()) result.options.push_back(input.options_of(i));
-  }
-  return result;
-}
-
-Input reversed_input(const Input& input, const std::vector<int>& order) {
-  Input result = reordered(input, order);
-  for (PointOptions& options : result.options) {
-    std::swap(options.alpha, options.beta);
-    if (options.tangent) options.tangent = *options.tangent + std::numbers::pi;
-    if (options.curvature) options.curvature = -*options.curvature;
-  }
-  return result;
-}
-
-std::vector<Span> with_old_names(std::vector<Span> renamed, const std::vector<int>& order) {
-  for (Span& span : renamed) {
-    if (span.from != no_point) span.from = order[static_cast<std::size_t>(span.from)];
-    if (span.to != no_point) span.to = order[static_cast<std::size_t>(span.to)];
-  }
-  return renamed;
-}
 
 /// What all the tests below start from.
 class Probe {
@@ -93,7 +37,7 @@ class Probe {
   [[nodiscard]] double under_reversal() const {
     std::vector<int> order;
     for (int i = fit_.input.size(); i-- > 0;) order.push_back(i);
-    const Fit other = scheme_.fit(reversed_input(fit_.input, order));
+    const Fit other = scheme_.fit(reversed(fit_.input, order));
     if (!other.curve) return infinite;
     return deviation(original_, reversed(with_old_names(spans(*other.curve), order)), fit_.input.closed) / chord_;
   }
@@ -112,15 +56,10 @@ class Probe {
   /// Every point moved by 1e-9 of the mean chord, in directions that turn by the golden angle: deviation over
   /// displacement.
   [[nodiscard]] double sensitivity() const {
-    Input input = fit_.input;
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    for (std::size_t i = 0; i < input.points.size(); ++i) {
-      const double direction = golden_angle * static_cast<double>(i);
-      input.points[i] += perturbation * chord_ * Vec2(std::cos(direction), std::sin(direction));
-    }
-    const Fit other = scheme_.fit(input);
+    const double step = perturbation * chord_;
+    const Fit other = scheme_.fit(perturbed(fit_.input, step));
     if (!other.curve) return infinite;
-    return deviation(original_, spans(*other.curve), input.closed) / (perturbation * chord_);
+    return deviation(original_, spans(*other.curve), fit_.input.closed) / step;
   }
 
   /// One insertion at a time, in the middle of a span between consecutive points.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "reports/outcome_words.hpp"
 #include "reports/report.hpp"
 #include "reports/tables.hpp"
 
@@ -196,11 +197,6 @@ std::string paper_section(const Results& results, const Paper& paper) {
 
 // ---- outcomes
 
-std::string spaced(std::string outcome) {
-  std::replace(outcome.begin(), outcome.end(), '_', ' ');
-  return outcome;
-}
-
 std::string outcome_summary(const ExperimentRecord& experiment) {
   std::map<std::string, int> counts;
   for (const auto& made : experiment.cells) ++counts[made.outcome];
@@ -216,16 +212,13 @@ std::string outcome_summary(const ExperimentRecord& experiment) {
 std::string failures_section(const ExperimentRecord& experiment) {
   std::string rows;
   for (const auto& made : experiment.cells) {
-    std::string outcome = made.outcome;
-    for (const auto& curve : made.curves)
-      for (const auto& warning : curve.warnings)
-        if (outcome.find(warning.first) == std::string::npos) outcome += ", " + warning.first;
+    const std::string outcome = outcome_words(made);
     if (outcome == "converged") continue;
     std::string message = made.message;
     for (std::size_t i = 0; message.empty() && i < made.curves.size(); ++i) message = made.curves[i].message;
     rows += fmt::format("<tr>{}{}{}{}</tr>\n", cell(made.dataset),
-                        cell(made.label.empty() ? made.scheme + " " + made.parameters : made.label),
-                        cell(spaced(outcome)), cell(message));
+                        cell(made.label.empty() ? made.scheme + " " + made.parameters : made.label), cell(outcome),
+                        cell(message));
   }
   if (rows.empty()) return "";
   return "<h3>Cells that did not converge, or are wild</h3>\n<div class=\"scroll\"><table>\n" +

@@ -103,10 +103,4 @@ std::string fit_command(const Case& shown, const std::string& scheme) {
   return fmt::format("printf '{}\\n' | kappabench fit - --scheme {}", text, scheme);
 }
 
-double extent(const Input& input) {
-  double largest = 0.0;
-  for (const Vec2& p : input.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return largest;
-}
-
 }  // namespace kappabench::check

@@ -33,7 +33,4 @@ struct Case {
 /// A line for the shell that fits the case with `scheme`, "ID[:key=value,...]".
 [[nodiscard]] std::string fit_command(const Case& shown, const std::string& scheme);
 
-/// Largest coordinate without sign: what rounding is relative to.
-[[nodiscard]] double extent(const Input& input);
-
 }  // namespace kappabench::check

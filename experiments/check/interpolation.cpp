@@ -9,7 +9,9 @@ namespace kappabench::check {
 namespace {
 
 // Solvers stop at residuals of about 1e-12 chords; two digits are theirs. Coordinates are rounded besides.
-double allowed_miss(const Input& input) { return 1e-10 * mean_chord(input) + 64.0 * 0x1p-52 * extent(input); }
+double allowed_miss(const Input& input) {
+  return 1e-10 * mean_chord(input) + 64.0 * 0x1p-52 * largest_coordinate(input);
+}
 
 void look(const SchemeUnderTest& subject, const Trial& trial, Notes& notes) {
   const Fit& fit = trial.fit;

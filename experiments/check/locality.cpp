@@ -44,7 +44,7 @@ void move_point(const SchemeUnderTest& subject, const Trial& trial, const std::v
     notes.count("without a curve");
     return;
   }
-  const double allowed = roundings * std::max(1.0, extent(edited) / chord);
+  const double allowed = roundings * std::max(1.0, largest_coordinate(edited) / chord);
   for (std::size_t k = 0; k < original.size(); ++k) {
     const int spans_away = distance(original, k, point, input.closed);
     if (spans_away <= claimed) continue;

@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "metrics/transformed.hpp"
+
 namespace kappabench::check {
 
 namespace {
@@ -63,16 +65,11 @@ double deviation(const Expected& pair) {
 double sensitivity(const SchemeUnderTest& subject, const Fit& fit) {
   const double chord = mean_chord(fit.input), step = half_the_digits * chord;
   double largest = 0.0;
-  // Directions that turn by the golden angle, and two starts: a jump need not lie on every side.
+  // Two starts: a jump need not lie on every side.
   for (const double start : {0.0, std::numbers::pi}) {
-    Input input = fit.input;
-    for (std::size_t i = 0; i < input.points.size(); ++i) {
-      const double angle = start + std::numbers::pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(i);
-      input.points[i] += step * Vec2(std::cos(angle), std::sin(angle));
-    }
-    const Fit other = subject.fit(input);
+    const Fit other = subject.fit(perturbed(fit.input, step, start));
     if (!other.curve) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, deviation({spans(*fit.curve), spans(*other.curve), input.closed, step}));
+    largest = std::max(largest, deviation({spans(*fit.curve), spans(*other.curve), fit.input.closed, step}));
   }
   return largest;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reports/outcome_words.hpp"
+
 namespace kappabench::figures {
 namespace {
 
@@ -14,19 +16,6 @@ namespace {
 constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
                              "#882255", "#332288", "#999933", "#661100", "#44AA99", "#777777"};
 constexpr std::array markers{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
-
-std::string spaced(std::string words) {
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
-std::string outcome_words(const store::CellRecord& cell) {
-  std::string words = cell.outcome;
-  for (const auto& curve : cell.curves)
-    for (const auto& warning : curve.warnings)
-      if (words.find(warning.first) == std::string::npos) words += ", " + warning.first;
-  return spaced(words);
-}
 
 bool wild(const store::CellRecord& cell) {
   return std::any_of(cell.curves.begin(), cell.curves.end(), [](const auto& c) { return !c.warnings.empty(); });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 namespace kappabench {
 
@@ -9,6 +11,10 @@ namespace {
 
 constexpr double far = 16.0;         // extents
 constexpr int common_exponent = 30;  // of the extent
+
+void place_curvature(PointOptions& options, const Placement& placement) {
+  if (options.curvature) *options.curvature /= placement.scale;
+}
 
 }  // namespace
 
@@ -35,8 +41,24 @@ Placement frame_of(const Input& input) {
 Input place(const Input& input, const Placement& placement) {
   Input placed = input;
   for (Vec2& p : placed.points) p = placement(p);
-  for (PointOptions& options : placed.options)
-    if (options.curvature) *options.curvature /= placement.scale;
+  for (PointOptions& options : placed.options) place_curvature(options, placement);
+  return placed;
+}
+
+Edit place(const Edit& edit, const Placement& placement) {
+  if (const auto* move = std::get_if<Move>(&edit)) return Move{move->point, placement(move->to)};
+  if (const auto* insert = std::get_if<Insert>(&edit)) {
+    Insert placed = *insert;
+    placed.at = placement(placed.at);
+    place_curvature(placed.options, placement);
+    return placed;
+  }
+  return edit;
+}
+
+Fit place(const Fit& fit, const Placement& placement) {
+  Fit placed{place(fit.input, placement), std::nullopt, fit.report};
+  if (fit.curve) placed.curve = place(*fit.curve, placement);
   return placed;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "schemes/api/edit.hpp"
+#include "schemes/api/fit.hpp"
 #include "schemes/api/input.hpp"
 #include "schemes/curve/placement.hpp"
 
@@ -12,7 +14,9 @@ namespace kappabench {
 /// back is exact (Sterbenz' lemma). The identity for points that are not finite or all in one place.
 [[nodiscard]] Placement frame_of(const Input& input);
 
-/// The input, placed; prescribed curvatures with it.
+/// The input, the edit, the fit with its curve, placed; prescribed curvatures with them.
 [[nodiscard]] Input place(const Input& input, const Placement& placement);
+[[nodiscard]] Edit place(const Edit& edit, const Placement& placement);
+[[nodiscard]] Fit place(const Fit& fit, const Placement& placement);
 
 }  // namespace kappabench

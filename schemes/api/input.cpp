@@ -1,5 +1,6 @@
 #include "schemes/api/input.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace kappabench {
@@ -30,6 +31,12 @@ double mean_chord(const Input& input) {
   for (std::size_t i = 0; i + 1 < n; ++i) length += (input.points[i + 1] - input.points[i]).norm();
   if (!input.closed) return length / static_cast<double>(n - 1);
   return (length + (input.points.front() - input.points.back()).norm()) / static_cast<double>(n);
+}
+
+double largest_coordinate(const Input& input) {
+  double largest = 0.0;
+  for (const Vec2& p : input.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
 }
 
 }  // namespace kappabench

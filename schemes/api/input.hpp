@@ -65,4 +65,7 @@ struct Input {
 /// tolerances are relative. 0 for fewer than two points.
 [[nodiscard]] double mean_chord(const Input& input);
 
+/// The largest |coordinate|: what coordinates round to. 0 without points.
+[[nodiscard]] double largest_coordinate(const Input& input);
+
 }  // namespace kappabench

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "schemes/api/frame.hpp"
 #include "schemes/api/soundness.hpp"
@@ -86,23 +85,6 @@ Fit solved(const Input& input, const Placement& frame, Solve solve) {
   }
   if (!at_home) fit.input = input;
   return fit;
-}
-
-Edit place(const Edit& edit, const Placement& placement) {
-  if (const auto* move = std::get_if<Move>(&edit)) return Move{move->point, placement(move->to)};
-  if (const auto* insert = std::get_if<Insert>(&edit)) {
-    Insert placed = *insert;
-    placed.at = placement(placed.at);
-    if (placed.options.curvature) *placed.options.curvature /= placement.scale;
-    return placed;
-  }
-  return edit;
-}
-
-Fit place(const Fit& fit, const Placement& placement) {
-  Fit placed{place(fit.input, placement), std::nullopt, fit.report};
-  if (fit.curve) placed.curve = place(*fit.curve, placement);
-  return placed;
 }
 
 }  // namespace

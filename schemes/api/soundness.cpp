@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <optional>
+#include <span>
+#include <vector>
 
 #include "schemes/curve/joint.hpp"
 
 namespace kappabench {
 
 namespace {
-
-/// A point may be missed by this part of the mean chord beyond rounding: 4096 roundings, as joints.
-constexpr double solved = 0x1p-40;
 
 std::string missed(const Curve& curve, const Joint& joint, const JointMiss& miss, const Resolution& resolution) {
   const auto said = [&](std::string_view what, double unit, std::string_view of_unit) {
@@ -54,24 +51,17 @@ bool finite_inside(const Segment& segment, const Hull& hull) {
   return jet.d[0].allFinite() && jet.d[1].allFinite() && jet.d[2].allFinite();
 }
 
-Vec2 position_at_node(const Segment& segment, const Hull& hull, double t) {
-  if (!hull.empty() && (t == 0.0 || t == 1.0)) return t == 0.0 ? hull.front() : hull.back();
-  return segment.jet(t, 0).position();
-}
-
-std::string unmet_point(const Curve& curve, std::span<const Hull> hulls, const Input& input,
-                        const Resolution& resolution) {
+std::string unmet_point(const Curve& curve, const Input& input, const Resolution& resolution) {
   std::vector<char> has_node(input.points.size(), 0);
   for (const Node& node : curve.nodes()) {
     if (node.point < 0 || node.point >= input.size())
       return fmt::format("a node names point {}; the points are 0 to {}", node.point, input.size() - 1);
     const auto point = static_cast<std::size_t>(node.point);
     has_node[point] = 1;
-    const Vec2 at =
-        position_at_node(curve.segment(node.segment), hulls[static_cast<std::size_t>(node.segment)], node.t);
+    const Vec2 at = position_at(curve.segment(node.segment), node.t);
     if (at == input.points[point]) continue;
     const double gap = (at - input.points[point]).norm();
-    const double allowed = solved * resolution.chord +
+    const double allowed = solver_accuracy * resolution.chord +
                            4.0 * std::max(resolution.rounding, std::numeric_limits<double>::epsilon() * at.norm());
     if (!(gap <= allowed))
       return fmt::format("the curve passes point {} at {:.3g} mean chords ({:.3g} explained by rounding)", node.point,
@@ -85,9 +75,7 @@ std::string unmet_point(const Curve& curve, std::span<const Hull> hulls, const I
 }  // namespace
 
 Resolution resolution_of(const Input& input) {
-  double largest = 0.0;
-  for (const Vec2& p : input.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return {mean_chord(input), std::numeric_limits<double>::epsilon() * largest};
+  return {mean_chord(input), std::numeric_limits<double>::epsilon() * largest_coordinate(input)};
 }
 
 std::string unsoundness(const Curve& curve, const Input& input, const Resolution& resolution) {
@@ -99,7 +87,7 @@ std::string unsoundness(const Curve& curve, const Input& input, const Resolution
   for (const SegmentPtr& segment : curve.segments()) hulls.push_back(segment->bezier_points());
   for (std::size_t i = 0; i < hulls.size(); ++i)
     if (!finite_inside(*curve.segments()[i], hulls[i])) return fmt::format("segment {} is not finite", i);
-  if (std::string point = unmet_point(curve, hulls, input, resolution); !point.empty()) return point;
+  if (std::string point = unmet_point(curve, input, resolution); !point.empty()) return point;
   for (const Joint& joint : curve.joints()) {
     const int next = curve.next(joint.segment);
     if (plainly_keeps(hulls[static_cast<std::size_t>(joint.segment)], hulls[static_cast<std::size_t>(next)],

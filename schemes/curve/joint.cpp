@@ -10,8 +10,6 @@ namespace kappabench {
 
 namespace {
 
-/// Relative accuracy that solvers are held to: 4096 roundings.
-constexpr double solved = 0x1p-40;
 /// A relative jump, or an angle in radians, that nothing explains away.
 constexpr double visible = 0.1;
 /// A coordinate that was solved for and stored has been rounded a few times.
@@ -57,7 +55,7 @@ std::optional<JointMiss> held(JointMiss::Of of, double before, double after, dou
 }
 
 std::optional<JointMiss> tangent_miss(const JointSide& before, const JointSide& after) {
-  const double allowed = std::min(visible, solved + before.tangent_error + after.tangent_error);
+  const double allowed = std::min(visible, solver_accuracy + before.tangent_error + after.tangent_error);
   const double sine = std::abs(cross(before.tangent, after.tangent)), cosine = before.tangent.dot(after.tangent);
   if (sine <= allowed && cosine > 0.0) return std::nullopt;
   const auto angle = [](const Vec2& d) { return std::atan2(d.y(), d.x()); };
@@ -68,14 +66,15 @@ std::optional<JointMiss> tangent_miss(const JointSide& before, const JointSide& 
 std::optional<JointMiss> curvature_miss(const JointSide& before, const JointSide& after, bool signs_too, double chord) {
   const double k0 = before.curvature(), k1 = after.curvature();
   const double scale = std::max({std::abs(k0), std::abs(k1), 1.0 / chord});
-  const double allowed = std::min(visible * scale, solved * scale + before.curvature_error() + after.curvature_error());
+  const double allowed =
+      std::min(visible * scale, solver_accuracy * scale + before.curvature_error() + after.curvature_error());
   return held(JointMiss::Of::curvature, k0, k1, std::abs(signs_too ? k1 - k0 : std::abs(k1) - std::abs(k0)), allowed);
 }
 
 std::optional<JointMiss> derivative_miss(JointMiss::Of of, const Vec2& before, const Vec2& after, double error,
                                          double chord) {
   const double scale = std::max({before.norm(), after.norm(), chord});
-  return held(of, 0.0, 0.0, (after - before).norm(), std::min(visible * scale, solved * scale + error));
+  return held(of, 0.0, 0.0, (after - before).norm(), std::min(visible * scale, solver_accuracy * scale + error));
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, do
   using enum Continuity;
   const auto& [before, after] = sides;
   if (auto miss = held(JointMiss::Of::position, 0.0, 0.0, (after.position - before.position).norm(),
-                       solved * chord + before.position_error + after.position_error))
+                       solver_accuracy * chord + before.position_error + after.position_error))
     return miss;
   if (claimed == g0) return std::nullopt;
   if (auto miss = tangent_miss(before, after)) return miss;
@@ -123,7 +122,7 @@ bool plainly_keeps(std::span<const Vec2> before, std::span<const Vec2> after, Co
   const std::size_t m = before.size() - 1;
   const Vec2 a = before[m] - before[m - 1], b = after[1] - after[0];
   const double aa = a.squaredNorm(), bb = b.squaredNorm(), sine = cross(a, b);
-  constexpr double tight = solved * solved;
+  constexpr double tight = solver_accuracy * solver_accuracy;
   constexpr double slow =
       1e-12;  // of the square of the chord: legs that rounding might matter to are looked at closely
   if (!(std::min(aa, bb) > slow * chord * chord && a.dot(b) > 0.0 && sine * sine <= tight * aa * bb)) return false;
@@ -139,7 +138,7 @@ bool plainly_keeps(std::span<const Vec2> before, std::span<const Vec2> after, Co
   const double k0 = cross(a, second0) / (degree0 * degree0 * aa * std::sqrt(aa));
   const double k1 = cross(b, second1) / (degree1 * degree1 * bb * std::sqrt(bb));
   const double jump = claimed == g1_equal_magnitude ? std::abs(k1) - std::abs(k0) : k1 - k0;
-  return std::abs(jump) <= solved * std::max(std::abs(k0), 1.0 / chord);
+  return std::abs(jump) <= solver_accuracy * std::max(std::abs(k0), 1.0 / chord);
 }
 
 }  // namespace kappabench

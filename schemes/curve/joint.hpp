@@ -27,6 +27,9 @@ struct JointSides {
 /// of the coordinates that the drawing was given in; coordinates of the curve that are larger round by more.
 [[nodiscard]] JointSides sides_of(const Segment& before, const Segment& after, double rounding);
 
+/// Relative accuracy that solvers are held to: 4096 roundings.
+inline constexpr double solver_accuracy = 0x1p-40;
+
 /// What a joint misses of its claim.
 struct JointMiss {
   enum class Of { position, tangent, curvature, first_derivative, second_derivative } of;
@@ -35,8 +38,8 @@ struct JointMiss {
 };
 
 /// Holds the two sides against the claim, for a curve whose points are `chord` apart on average. Allowed is what the
-/// errors of the sides explain and, for what a solver had to find, `solved` of the larger side (or of 1 / chord, of
-/// chord for derivatives). More than a tenth is never explained: such a joint cannot be said to be smooth.
+/// errors of the sides explain and, for what a solver had to find, `solver_accuracy` of the larger side (or of 1 /
+/// chord, of chord for derivatives). More than a tenth is never explained: such a joint cannot be said to be smooth.
 [[nodiscard]] std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord);
 
 /// Whether the control points of two Bézier segments show at a glance that the joint between them keeps its claim:

@@ -1,34 +1,17 @@
 #include "schemes/pkappa/near_cusp.hpp"
 
 #include <algorithm>
+#include <array>
 
-#include "schemes/numerics/binary_form.hpp"
+#include "schemes/curve/hodograph_forms.hpp"
 
 namespace kappabench::pkappa {
 namespace {
 
 using Form = BinaryForm<double>;
 
-struct Derivatives {
-  Form x1, y1, x2, y2;
-};
-
-/// c' and c'' up to one factor, the degree.
-template <int Degree>
-Derivatives derivatives(const ControlPolygon<Degree>& control) {
-  Derivatives d;
-  double binomial = 1.0;
-  for (int i = 0; i < Degree; ++i) {
-    const Vec2 edge = control.col(i + 1) - control.col(i);
-    d.x1.push_back(binomial * edge.x());
-    d.y1.push_back(binomial * edge.y());
-    binomial = binomial * (Degree - 1 - i) / (i + 1);
-  }
-  // f' = f_t - f_s over [0, 1], s = 1 - t.
-  d.x2 = difference(partial_t(d.x1), partial_s(d.x1));
-  d.y2 = difference(partial_t(d.y1), partial_s(d.y1));
-  return d;
-}
+/// f' = f_t - f_s over [0, 1], s = 1 - t.
+Form slope(const Form& form) { return difference(partial_t(form), partial_s(form)); }
 
 bool positive(const Form& form) {
   return std::ranges::all_of(form, [](double c) { return c > 0.0; });
@@ -63,11 +46,18 @@ std::optional<double> search(const Form& margin, const Form& along, double from,
 
 template <int Degree>
 std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double width) {
-  const auto [x1, y1, x2, y2] = derivatives<Degree>(control);
+  std::array<double, Degree + 1> px, py;
+  for (int i = 0; i <= Degree; ++i) {
+    px[static_cast<std::size_t>(i)] = control(0, i);
+    py[static_cast<std::size_t>(i)] = control(1, i);
+  }
+  // c' and c'' up to one factor, the degree.
+  const auto velocity = polynomial_hodograph<double>(px, py);
+  const Form &x1 = velocity.x, &y1 = velocity.y, x2 = slope(x1), y2 = slope(y1);
   const Form one_squared{1.0, 2.0, 1.0};  // (s + t)^2 raises the degree of |c''|^2 to that of |c'|^2
   Form second = product(sum(product(x2, x2), product(y2, y2)), one_squared);
   for (double& coefficient : second) coefficient *= width * width;
-  const Form margin = difference(sum(product(x1, x1), product(y1, y1)), second);
+  const Form margin = difference(velocity.speed_squared(), second);
   const Form along = sum(product(x1, x2), product(y1, y2));  // c' . c'', half the slope of |c'|^2
   return search(margin, along, 0.0, 1.0);
 }
