@@ -34,7 +34,7 @@ bool measurable(const Fit& fit) {
 Metric guarded(Metric metric) {
   metric.measure = [inner = metric](const Scheme& scheme, const Fit& fit) {
     // A scheme that is not similarity invariant is asked to fit again where the drawing lies.
-    const bool in_frame = inner.in_frame && (!inner.refits || scheme.info().traits.similarity_invariant);
+    const bool in_frame = !inner.refits || scheme.info().traits.similarity_invariant;
     const Placement frame = fit.curve ? frame_of(fit.input) : Placement{};
     std::optional<Fit> moved;
     if (!frame.is_identity()) moved = place(fit, frame.inverse());

@@ -5,8 +5,6 @@
 
 #include "metrics/arc_map.hpp"
 #include "metrics/statistics.hpp"
-#include "schemes/api/frame.hpp"
-#include "schemes/api/soundness.hpp"
 #include "schemes/curve/joint.hpp"
 #include "schemes/curve/tangents.hpp"
 
@@ -39,16 +37,11 @@ JointJump jump_at(const Joint& joint, const JointSides& sides, double chord, dou
 }  // namespace
 
 std::vector<JointJump> joint_jumps(const Curve& curve, const Input& input) {
-  // Seen from the drawing's own frame, where evaluation costs no digits; rounded where the drawing lies.
-  const Placement frame = frame_of(input);
-  const Curve local = frame.is_identity() ? curve : place(curve, frame.inverse());
-  const Resolution resolution = resolution_of(input);
-  const double chord = resolution.chord / frame.scale, length = ArcMap(local).length();
+  const double chord = mean_chord(input), known_to = rounding_of(input), length = ArcMap(curve).length();
   std::vector<JointJump> jumps;
-  jumps.reserve(local.joints().size());
-  for (const Joint& joint : local.joints()) {
-    const JointSides sides = sides_of(local.segment(joint.segment), local.segment(local.next(joint.segment)),
-                                      resolution.rounding / frame.scale);
+  jumps.reserve(curve.joints().size());
+  for (const Joint& joint : curve.joints()) {
+    const JointSides sides = sides_of(curve.segment(joint.segment), curve.segment(curve.next(joint.segment)), known_to);
     jumps.push_back(jump_at(joint, sides, chord, length));
   }
   return jumps;
@@ -98,8 +91,7 @@ Metric continuity_metric() {
                       continuity_curvature_jump_equal_magnitude, continuity_signed_jump_equal_magnitude,
                       continuity_curvature_jump_all, continuity_first_derivative_jump,
                       continuity_second_derivative_jump, continuity_violations},
-          .measure = measure,
-          .in_frame = false};
+          .measure = measure};
 }
 
 }  // namespace kappabench

@@ -47,7 +47,7 @@ struct JointJump {
   bool meets_claim;  ///< judged as every fit is (schemes/curve/joint.hpp)
 };
 
-/// At every joint of a curve through the points of `input`.
+/// At every joint of a curve through the points of `input`, both in the drawing's own frame (schemes/api/frame.hpp).
 [[nodiscard]] std::vector<JointJump> joint_jumps(const Curve& curve, const Input& input);
 
 /// Largest jumps over all joints, by what was claimed, and the number of joints that miss their claim.

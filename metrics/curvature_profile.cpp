@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "schemes/curve/exact_curvature.hpp"
+#include "schemes/curve/rounding.hpp"
 
 namespace kappabench {
 namespace {
@@ -13,19 +14,26 @@ constexpr double beside = 1e-6;  // how far from a cusp or a resting end curvatu
 constexpr double rounding = 1e-9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+using Kind = ProfilePoint::Kind;
+
 double curvature_at(const Segment& segment, double t) { return curvature(segment.jet(t, 2)); }
 
-double end_curvature(const Segment& segment, double t) {
-  const double kappa = curvature_at(segment, t);
-  const double inside = t < 0.5 ? beside : 1.0 - beside;
-  const bool rests = !(speed(segment.jet(t, 1)) > 1e-8 * speed(segment.jet(0.5, 1)));
-  if (std::isfinite(kappa) && !rests) return kappa;
-  const double near = curvature_at(segment, inside);
-  return std::isfinite(near) ? near : 0.0;
+ProfilePoint point_at(const Segment& segment, const Place& place, Kind kind, double known_to) {
+  const Jet jet = segment.jet(place.t, 2);
+  const double error = curvature_error(jet.d[1], jet.d[2], rounding_error(segment, jet.position(), known_to));
+  return {place, curvature(jet), kind, std::isfinite(error) ? error : 0.0};
 }
 
-void append_segment(const Segment& segment, int index, CurvatureProfile& profile) {
-  using Kind = ProfilePoint::Kind;
+ProfilePoint end_point(const Segment& segment, const Place& place, double known_to) {
+  const ProfilePoint end = point_at(segment, place, Kind::end, known_to);
+  const bool rests = !(speed(segment.jet(place.t, 1)) > 1e-8 * speed(segment.jet(0.5, 1)));
+  if (std::isfinite(end.curvature) && !rests) return end;
+  const double inside = place.t < 0.5 ? beside : 1.0 - beside;
+  const ProfilePoint near = point_at(segment, {place.segment, inside}, Kind::end, known_to);
+  return {place, std::isfinite(near.curvature) ? near.curvature : 0.0, Kind::end, near.error};
+}
+
+void append_segment(const Segment& segment, int index, double known_to, CurvatureProfile& profile) {
   std::vector<ProfilePoint> inside;
   const Cusps stops = find_cusps(segment);
   for (const double t : stops.at) {
@@ -40,14 +48,14 @@ void append_segment(const Segment& segment, int index, CurvatureProfile& profile
     const double t = bracket.mid();
     const bool at_cusp =
         std::any_of(stops.at.begin(), stops.at.end(), [t](double c) { return std::abs(c - t) < beside; });
-    const double kappa = curvature_at(segment, t);
-    if (!at_cusp && std::isfinite(kappa)) inside.push_back({{index, t}, kappa, Kind::extremum});
+    const ProfilePoint extremum = point_at(segment, {index, t}, Kind::extremum, known_to);
+    if (!at_cusp && std::isfinite(extremum.curvature)) inside.push_back(extremum);
   }
   std::stable_sort(inside.begin(), inside.end(),
                    [](const ProfilePoint& a, const ProfilePoint& b) { return a.place.t < b.place.t; });
-  profile.points.push_back({{index, 0.0}, end_curvature(segment, 0.0), Kind::end});
+  profile.points.push_back(end_point(segment, {index, 0.0}, known_to));
   profile.points.insert(profile.points.end(), inside.begin(), inside.end());
-  profile.points.push_back({{index, 1.0}, end_curvature(segment, 1.0), Kind::end});
+  profile.points.push_back(end_point(segment, {index, 1.0}, known_to));
 }
 
 }  // namespace
@@ -84,13 +92,14 @@ bool CurvatureProfile::cusp_within(int segment, double t0, double t1) const {
   });
 }
 
-CurvatureProfile curvature_profile(const Curve& curve) {
+CurvatureProfile curvature_profile(const Curve& curve, double known_to) {
   CurvatureProfile profile;
+  profile.known_to = known_to;
   const double length = ArcMap(curve).length();
   profile.unit = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::min();
   for (int i = 0; i < curve.size(); ++i) {
     profile.first.push_back(profile.points.size());
-    append_segment(curve.segment(i), i, profile);
+    append_segment(curve.segment(i), i, known_to, profile);
   }
   profile.first.push_back(profile.points.size());
   double least = infinite;
@@ -112,7 +121,7 @@ std::vector<ProfilePoint> profile_within(const Curve& curve, const CurvatureProf
     const auto end = [&](double t) {
       if (t == 0.0) return segment.front();
       if (t == 1.0) return segment.back();
-      return ProfilePoint{{part.segment, t}, curvature_at(curve.segment(part.segment), t), ProfilePoint::Kind::end};
+      return point_at(curve.segment(part.segment), {part.segment, t}, Kind::end, profile.known_to);
     };
     within.push_back(end(part.t0));
     for (const ProfilePoint& point : segment)
@@ -127,7 +136,8 @@ std::vector<TurningPoint> turning_points(std::span<const ProfilePoint> sequence,
   const auto differ = [&](std::size_t low, std::size_t high) {
     const double scale = std::max({std::abs(value(low)), std::abs(value(high)), unit});
     if (std::isinf(scale)) return value(high) > value(low);
-    return value(high) - value(low) > std::max(prominence, rounding * scale);
+    const double explained = sequence[low].error + sequence[high].error;
+    return value(high) - value(low) > std::max({prominence, explained, rounding * scale});
   };
   std::vector<TurningPoint> found;
   int direction = 0;

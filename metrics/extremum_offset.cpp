@@ -82,7 +82,7 @@ double local_chord(const Input& input, int point) {
 Metric extremum_offset_metric() {
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
-    const CurvatureProfile profile = curvature_profile(curve);
+    const CurvatureProfile profile = curvature_profile(curve, rounding_of(fit.input));
     const ArcMap arcs(curve);
     const std::vector<PlacedNode> nodes = nodes_in_order(curve, arcs);
     const std::vector<Extremum> extrema = extrema_of(curve, profile, arcs);
@@ -108,7 +108,7 @@ Metric extremum_offset_metric() {
   using namespace column;
   return {.id = "extremum_offset",
           .title = "Distance from points to curvature extrema",
-          .version = 3,
+          .version = 4,
           .columns = {extremum_offset_mean, extremum_offset_max, nodes_at_extremum, nodes_at_curvature_minimum},
           .measure = measure};
 }

@@ -71,7 +71,7 @@ double chord_length(const Input& input) {
 Metric fairness_metric() {
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
-    const CurvatureProfile profile = curvature_profile(curve);
+    const CurvatureProfile profile = curvature_profile(curve, rounding_of(fit.input));
     const ArcMap arcs(curve);
     const double length = arcs.accurate() ? arcs.length() : undefined;
     double bending = std::numeric_limits<double>::infinity();

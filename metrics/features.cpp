@@ -9,6 +9,7 @@
 #include "metrics/self_intersection.hpp"
 #include "metrics/statistics.hpp"
 #include "schemes/curve/exact_curvature.hpp"
+#include "schemes/curve/joint.hpp"
 #include "schemes/curve/tangents.hpp"
 
 namespace kappabench {
@@ -67,30 +68,20 @@ struct Stretch {
   int sign;  ///< 0: it is no more than rounding
 };
 
-/// What rounding makes of the curvature c' x c'' / |c'|^3: an error of one unit in the last place of coordinates of the
-/// size of `extent`, blown up by differentiation (degree 5: 5 in c', 20 in c'').
-double rounding_of_curvature(const Jet& jet, double extent) {
-  const double v = speed(jet);
-  return 0x1p-52 * extent * 20.0 * (v + jet.d[2].norm()) / (v * v * v);
-}
-
-int sign_on(const Segment& segment, double t0, double t1, double extent) {
+int sign_on(const Segment& segment, double t0, double t1, double known_to) {
   for (int i = 0; i < looks; ++i) {
     const Jet jet = segment.jet(t0 + (t1 - t0) * (i + 0.5) / looks, 2);
     const double kappa = curvature(jet);
-    if (std::abs(kappa) > rounding_of_curvature(jet, extent)) return kappa > 0.0 ? 1 : -1;
+    const RoundingError error = rounding_error(segment, jet.position(), known_to);
+    if (std::abs(kappa) > curvature_error(jet.d[1], jet.d[2], error)) return kappa > 0.0 ? 1 : -1;
   }
   return 0;
 }
 
 }  // namespace
 
-Features find_inflections(const Curve& curve, const ArcMap& arcs) {
+Features find_inflections(const Curve& curve, const ArcMap& arcs, double known_to) {
   Features result;
-  double extent = 0.0;
-  for (const SegmentPtr& segment : curve.segments())
-    for (const double t : {0.0, 0.5}) extent = std::max(extent, segment->jet(t, 0).position().cwiseAbs().maxCoeff());
-  extent = std::max(extent, curve.end().cwiseAbs().maxCoeff());
   std::vector<Stretch> stretches;
   for (int i = 0; i < curve.size(); ++i) {
     const SignChanges changes = inflections(curve.segment(i));
@@ -99,7 +90,7 @@ Features find_inflections(const Curve& curve, const ArcMap& arcs) {
     double t = 0.0;
     for (std::size_t k = 0; k <= changes.at.size(); ++k) {
       const double end = k < changes.at.size() ? changes.at[k].mid() : 1.0;
-      const int sign = sign_on(curve.segment(i), t, end, extent);
+      const int sign = sign_on(curve.segment(i), t, end, known_to);
       if (sign != 0) stretches.push_back({{i, t}, sign});
       t = end;
     }
@@ -111,7 +102,7 @@ Features find_inflections(const Curve& curve, const ArcMap& arcs) {
   return result;
 }
 
-Features find_reversals(const Curve& curve, const ArcMap& arcs) {
+Features find_reversals(const Curve& curve, const ArcMap& arcs, double known_to) {
   Features result;
   for (int i = 0; i < curve.size(); ++i) {
     const Cusps inside = find_cusps(curve.segment(i));
@@ -119,12 +110,11 @@ Features find_reversals(const Curve& curve, const ArcMap& arcs) {
     for (const double t : inside.at) result.positions.push_back(arcs.position({i, t}));
   }
   for (const Joint& joint : curve.joints()) {
-    const int next = curve.next(joint.segment);
-    const auto tangent = [&](int segment, double t, Side side) {
-      return unit_tangent(curve.segment(segment), t, side, 1e-8 * arcs.segment_length(segment));
-    };
-    const double angle = angle_between(tangent(joint.segment, 1.0, Side::before), tangent(next, 0.0, Side::after));
-    if (std::abs(angle) > std::numbers::pi - reversal) result.positions.push_back(arcs.position({joint.segment, 1.0}));
+    const JointSides sides = sides_of(curve.segment(joint.segment), curve.segment(curve.next(joint.segment)), known_to);
+    const double explained = std::min(visible_jump, sides.before.tangent_error + sides.after.tangent_error);
+    if (std::abs(angle_between(sides.before.tangent, sides.after.tangent)) >
+        std::numbers::pi - std::max(reversal, explained))
+      result.positions.push_back(arcs.position({joint.segment, 1.0}));
   }
   std::ranges::sort(result.positions);
   return result;
@@ -134,12 +124,13 @@ Metric features_metric() {
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
     const ArcMap arcs(curve);
+    const double known_to = rounding_of(fit.input);
     const Landmarks landmarks(curve, arcs, mean_chord(fit.input));
     Whereabouts inflection;
-    const Features inflections = find_inflections(curve, arcs);
+    const Features inflections = find_inflections(curve, arcs, known_to);
     for (const double s : inflections.positions) landmarks.count({s}, inflection);
     Whereabouts cusp;
-    const Features reversals = find_reversals(curve, arcs);
+    const Features reversals = find_reversals(curve, arcs, known_to);
     for (const double s : reversals.positions) landmarks.count({s}, cusp);
     Whereabouts loop;
     const Crossings crossings = self_intersections(curve);
@@ -161,7 +152,7 @@ Metric features_metric() {
   };
   return {.id = "features",
           .title = "Inflections, cusps and loops",
-          .version = 3,
+          .version = 4,
           .columns = {column::inflections, column::inflections_at_nodes, column::inflections_at_joints, column::cusps,
                       column::cusps_at_nodes, column::cusps_at_joints, column::loops, column::loops_at_nodes,
                       column::loops_at_joints},

@@ -30,10 +30,12 @@ struct Features {
 
 /// Where the curvature of the whole curve changes sign: inside segments and at joints. A change counts if the curvature
 /// is more than rounding on both sides of it; a stretch of less between opposite signs counts once, at its end.
-[[nodiscard]] Features find_inflections(const Curve& curve, const ArcMap& arcs);
+/// `known_to`, a length: what the coordinates of the drawing are rounded to (rounding_of).
+[[nodiscard]] Features find_inflections(const Curve& curve, const ArcMap& arcs, double known_to);
 
-/// Where the curve reverses its direction: cusps inside segments, and joints with an angle above pi - 1e-6.
-[[nodiscard]] Features find_reversals(const Curve& curve, const ArcMap& arcs);
+/// Where the curve reverses its direction: cusps inside segments, and joints with an angle of pi but for 1e-6 or for
+/// what rounding explains, up to 0.1.
+[[nodiscard]] Features find_reversals(const Curve& curve, const ArcMap& arcs, double known_to);
 
 /// Inflections, cusps and self-intersections, and whether they are at a node, at a joint, or elsewhere.
 [[nodiscard]] Metric features_metric();

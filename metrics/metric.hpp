@@ -52,12 +52,10 @@ struct Metric {
   std::vector<Column> columns;
   std::function<std::vector<Measurement>(const Scheme&, const Fit&)> measure;
   bool refits = false;  ///< fits again through the Scheme, many times: asked for by name, not taken by default
-  /// Is measured in the drawing's own frame (schemes/api/frame.hpp), as all are that do not ask how far out it lies.
-  bool in_frame = true;
 };
 
-/// The same metric, of any drawing: in its own frame, numbers of unit 1/length carried back to the plane; all columns
-/// NaN for curves that cannot be measured; held to its columns. all_metrics() are.
+/// The same metric, of any drawing: in its own frame (schemes/api/frame.hpp), numbers of unit 1/length carried back to
+/// the plane; all columns NaN for curves that cannot be measured; held to its columns. all_metrics() are.
 [[nodiscard]] Metric guarded(Metric metric);
 
 /// All metrics, in the order of metrics/README.md.

@@ -39,7 +39,7 @@ double fraction_of_at_most_two(const std::vector<double>& intervals) {
 Metric monotone_intervals_metric() {
   const auto measure = [](const Scheme&, const Fit& fit) {
     const Curve& curve = *fit.curve;
-    const CurvatureProfile profile = curvature_profile(curve);
+    const CurvatureProfile profile = curvature_profile(curve, rounding_of(fit.input));
     const double visible = prominent * profile.range;
     const auto segments = per_segment(curve, profile, 0.0), visible_segments = per_segment(curve, profile, visible);
     const auto pieces = per_centred_piece(curve, profile, 0.0);
@@ -65,7 +65,7 @@ Metric monotone_intervals_metric() {
   };
   return {.id = "monotone_intervals",
           .title = "Intervals of monotone curvature",
-          .version = 3,
+          .version = 4,
           .columns = {column::intervals_per_segment_mean, column::intervals_per_segment_max,
                       column::segments_with_at_most_two_intervals, column::intervals_per_centred_piece_mean,
                       column::intervals_per_centred_piece_max, column::centred_pieces_with_at_most_two_intervals,

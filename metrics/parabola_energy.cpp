@@ -227,7 +227,7 @@ Metric parabola_energy_metric() {
     columns.insert(columns.end(), {of->mean, of->max, of->scaled_mean, of->scaled_max});
 
   const auto measure = [](const Scheme&, const Fit& fit) {
-    const CurvatureProfile profile = curvature_profile(*fit.curve);
+    const CurvatureProfile profile = curvature_profile(*fit.curve, rounding_of(fit.input));
     const ArcMap arcs(*fit.curve);
     const Energies native = native_energies(*fit.curve, profile, arcs);
     const Energies centred = centred_energies(*fit.curve, profile, arcs);

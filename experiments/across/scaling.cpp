@@ -89,7 +89,7 @@ class JetWork {
 void check_all(const Fits& fits) {
   for (const Fit& fit : fits.fits) {
     if (!fit.curve || !frame_of(fit.input).is_identity()) continue;
-    (void)unsoundness(*fit.curve, fit.input, resolution_of(fit.input));
+    (void)unsoundness(*fit.curve, fit.input);
     (void)warnings_of(*fit.curve);
   }
 }

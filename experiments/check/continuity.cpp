@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/check/all_claims.hpp"
+#include "schemes/api/frame.hpp"
 
 namespace kappabench::check {
 
@@ -30,7 +31,8 @@ Finding test(const SchemeUnderTest& subject) {
   long as_promised = 0, joints = 0;
   for (const Trial* trial : subject.curves()) {
     notes.count("curves");
-    for (const JointJump& jump : joint_jumps(*trial->fit.curve, trial->fit.input)) {
+    const Fit local = place(trial->fit, frame_of(trial->fit.input).inverse());
+    for (const JointJump& jump : joint_jumps(*local.curve, local.input)) {
       notes.count("joints");
       ++joints;
       const Refutation place{fmt::format("{}, end of segment {}", trial->shown.name, jump.joint.segment), numbers(jump),

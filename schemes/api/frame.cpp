@@ -40,6 +40,7 @@ Placement frame_of(const Input& input) {
 
 Input place(const Input& input, const Placement& placement) {
   Input placed = input;
+  placed.known_to = rounding_of(input) * placement.scale;
   for (Vec2& p : placed.points) p = placement(p);
   for (PointOptions& options : placed.options) place_curvature(options, placement);
   return placed;

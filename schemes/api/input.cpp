@@ -1,6 +1,7 @@
 #include "schemes/api/input.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace kappabench {
@@ -37,6 +38,10 @@ double largest_coordinate(const Input& input) {
   double largest = 0.0;
   for (const Vec2& p : input.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   return largest;
+}
+
+double rounding_of(const Input& input) {
+  return std::max(input.known_to, std::numeric_limits<double>::epsilon() * largest_coordinate(input));
 }
 
 }  // namespace kappabench

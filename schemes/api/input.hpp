@@ -55,6 +55,9 @@ struct Input {
   bool closed = false;
   std::vector<PointOptions> options;
   std::vector<int> ids;  ///< empty means 0, 1, 2, ...
+  /// A length that the coordinates are known to, if that is more than their own rounding: a drawing that was moved near
+  /// the origin has rounded where it came from.
+  double known_to = 0.0;
 
   [[nodiscard]] int size() const { return static_cast<int>(points.size()); }
   [[nodiscard]] const PointOptions& options_of(int i) const;
@@ -65,7 +68,10 @@ struct Input {
 /// tolerances are relative. 0 for fewer than two points.
 [[nodiscard]] double mean_chord(const Input& input);
 
-/// The largest |coordinate|: what coordinates round to. 0 without points.
+/// The largest |coordinate|. 0 without points.
 [[nodiscard]] double largest_coordinate(const Input& input);
+
+/// What the coordinates are rounded to, a length: one unit in the last place of the largest, or `known_to`.
+[[nodiscard]] double rounding_of(const Input& input);
 
 }  // namespace kappabench

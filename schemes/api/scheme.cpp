@@ -49,11 +49,10 @@ Fit unsupported(const Input& input, std::string reason) {
           .report = {.outcome = Outcome::unsupported_input, .message = std::move(reason)}};
 }
 
-/// Holds a curve against its claims and notes where it is wild. Both curve and input in the drawing's own frame, the
-/// resolution that of the plane.
-void judge(Report& report, const Curve& curve, const Input& input, const Resolution& resolution) {
+/// Holds a curve against its claims and notes where it is wild, both curve and input in the drawing's own frame.
+void judge(Report& report, const Curve& curve, const Input& input) {
   if (report.outcome != Outcome::converged && report.outcome != Outcome::not_converged) return;
-  std::string message = report.outcome == Outcome::converged ? unsoundness(curve, input, resolution) : "";
+  std::string message = report.outcome == Outcome::converged ? unsoundness(curve, input) : "";
   if (!message.empty()) {
     report.outcome = Outcome::not_converged;
     report.message = "misses its claim: " + message;
@@ -74,13 +73,11 @@ Fit solved(const Input& input, const Placement& frame, Solve solve) {
   Fit fit = solve(at_home ? input : local);
   fit.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (fit.curve) {
-    Resolution resolution = resolution_of(input);
     if (at_home) {
-      judge(fit.report, *fit.curve, input, resolution);
+      judge(fit.report, *fit.curve, input);
     } else {
-      resolution = {resolution.chord / frame.scale, resolution.rounding / frame.scale};
       fit.curve = place(*fit.curve, frame);
-      judge(fit.report, place(*fit.curve, frame.inverse()), local, resolution);
+      judge(fit.report, place(*fit.curve, frame.inverse()), local);
     }
   }
   if (!at_home) fit.input = input;

@@ -14,6 +14,12 @@ namespace kappabench {
 
 namespace {
 
+/// How exactly a drawing is known: lengths.
+struct Resolution {
+  double chord;  ///< mean
+  double rounding;
+};
+
 std::string missed(const Curve& curve, const Joint& joint, const JointMiss& miss, const Resolution& resolution) {
   const auto said = [&](std::string_view what, double unit, std::string_view of_unit) {
     return fmt::format("the joint of segments {} and {} claims {}, but {} {:.3g}{} ({:.3g} explained by rounding)",
@@ -74,14 +80,11 @@ std::string unmet_point(const Curve& curve, const Input& input, const Resolution
 
 }  // namespace
 
-Resolution resolution_of(const Input& input) {
-  return {mean_chord(input), std::numeric_limits<double>::epsilon() * largest_coordinate(input)};
-}
-
-std::string unsoundness(const Curve& curve, const Input& input, const Resolution& resolution) {
+std::string unsoundness(const Curve& curve, const Input& input) {
   if (curve.closed() != input.closed)
     return fmt::format("the curve is {}, the input {}", curve.closed() ? "closed" : "open",
                        input.closed ? "closed" : "open");
+  const Resolution resolution{mean_chord(input), rounding_of(input)};
   std::vector<Hull> hulls;
   hulls.reserve(curve.segments().size());
   for (const SegmentPtr& segment : curve.segments()) hulls.push_back(segment->bezier_points());

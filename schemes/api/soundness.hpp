@@ -7,17 +7,10 @@
 
 namespace kappabench {
 
-/// How exactly a drawing is known: mean chord, and one unit in the last place of its largest coordinate.
-struct Resolution {
-  double chord;
-  double rounding;
-};
-[[nodiscard]] Resolution resolution_of(const Input& input);
-
 /// The first thing that a curve misses of its own claims, in one line with place and both numbers; empty if it keeps
 /// them: closed as the input is, finite, every point met at a node, every joint as continuous as it claims (miss_of).
 /// Judged by what rounding of the coordinates explains. Looks at nodes and joints and at the middles of segments, no
 /// further; linear, a few jets a joint.
-[[nodiscard]] std::string unsoundness(const Curve& curve, const Input& input, const Resolution& resolution);
+[[nodiscard]] std::string unsoundness(const Curve& curve, const Input& input);
 
 }  // namespace kappabench

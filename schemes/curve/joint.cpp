@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "schemes/curve/tangents.hpp"
 
@@ -10,21 +9,12 @@ namespace kappabench {
 
 namespace {
 
-/// A relative jump, or an angle in radians, that nothing explains away.
-constexpr double visible = 0.1;
-/// A coordinate that was solved for and stored has been rounded a few times.
-constexpr double roundings = 2.0;
-
-JointSide with_errors(const Vec2& position, const Vec2& first, const Vec2& second, int degree, double rounding) {
-  constexpr double last_place = std::numeric_limits<double>::epsilon();
-  const double error = roundings * std::max(rounding, last_place * position.cwiseAbs().maxCoeff());
-  // Sums of two and of four control points times degree and degree (degree - 1).
-  const double first_error = 2.0 * degree * error, second_error = 4.0 * degree * (degree - 1) * error;
+JointSide with_errors(const Vec2& position, const Vec2& first, const Vec2& second, const RoundingError& error) {
   const double v = first.norm();
-  return {position, first, second, error, first_error, second_error, first / v, first_error / v};
+  return {position, first, second, error, first / v, error.first / v};
 }
 
-JointSide moving_side_of(const Segment& segment, bool at_end, double rounding) {
+JointSide moving_side_of(const Segment& segment, bool at_end, double known_to) {
   if (const std::span<const Vec2> b = segment.bezier_points(); !b.empty()) {
     const auto degree = static_cast<int>(b.size()) - 1;
     const auto at = [&](std::size_t i) -> const Vec2& { return at_end ? b[b.size() - 1 - i] : b[i]; };
@@ -32,19 +22,19 @@ JointSide moving_side_of(const Segment& segment, bool at_end, double rounding) {
     const Vec2 first = sign * degree * (at(1) - at(0));
     const Vec2 second =
         degree > 1 ? Vec2(degree * (degree - 1.0) * ((at(2) - at(1)) - (at(1) - at(0)))) : Vec2(Vec2::Zero());
-    return with_errors(at(0), first, second, degree, rounding);
+    return with_errors(at(0), first, second, rounding_error(degree, at(0), known_to));
   }
   const Jet jet = segment.jet(at_end ? 1.0 : 0.0, 2);
-  return with_errors(jet.d[0], jet.d[1], jet.d[2], 3, rounding);
+  return with_errors(jet.d[0], jet.d[1], jet.d[2], rounding_error(segment, jet.d[0], known_to));
 }
 
-JointSide side_of(const Segment& segment, bool at_end, double rounding) {
-  JointSide side = moving_side_of(segment, at_end, rounding);
+JointSide side_of(const Segment& segment, bool at_end, double known_to) {
+  JointSide side = moving_side_of(segment, at_end, known_to);
   // Coordinates say nothing of the direction of what is made from angles or axes, however short it is.
-  const double rest = segment.bezier_points().empty() ? 0.0 : side.first_error;
+  const double rest = segment.bezier_points().empty() ? 0.0 : side.error.first;
   if (side.first.norm() > rest) return side;
-  side.tangent = unit_tangent(segment, at_end ? 1.0 : 0.0, at_end ? Side::before : Side::after, side.first_error);
-  side.tangent_error = side.second_error / side.second.norm();
+  side.tangent = unit_tangent(segment, at_end ? 1.0 : 0.0, at_end ? Side::before : Side::after, side.error.first);
+  side.tangent_error = side.error.second / side.second.norm();
   return side;
 }
 
@@ -55,7 +45,7 @@ std::optional<JointMiss> held(JointMiss::Of of, double before, double after, dou
 }
 
 std::optional<JointMiss> tangent_miss(const JointSide& before, const JointSide& after) {
-  const double allowed = std::min(visible, solver_accuracy + before.tangent_error + after.tangent_error);
+  const double allowed = std::min(visible_jump, solver_accuracy + before.tangent_error + after.tangent_error);
   const double sine = std::abs(cross(before.tangent, after.tangent)), cosine = before.tangent.dot(after.tangent);
   if (sine <= allowed && cosine > 0.0) return std::nullopt;
   const auto angle = [](const Vec2& d) { return std::atan2(d.y(), d.x()); };
@@ -67,14 +57,14 @@ std::optional<JointMiss> curvature_miss(const JointSide& before, const JointSide
   const double k0 = before.curvature(), k1 = after.curvature();
   const double scale = std::max({std::abs(k0), std::abs(k1), 1.0 / chord});
   const double allowed =
-      std::min(visible * scale, solver_accuracy * scale + before.curvature_error() + after.curvature_error());
+      std::min(visible_jump * scale, solver_accuracy * scale + before.curvature_error() + after.curvature_error());
   return held(JointMiss::Of::curvature, k0, k1, std::abs(signs_too ? k1 - k0 : std::abs(k1) - std::abs(k0)), allowed);
 }
 
 std::optional<JointMiss> derivative_miss(JointMiss::Of of, const Vec2& before, const Vec2& after, double error,
                                          double chord) {
   const double scale = std::max({before.norm(), after.norm(), chord});
-  return held(of, 0.0, 0.0, (after - before).norm(), std::min(visible * scale, solver_accuracy * scale + error));
+  return held(of, 0.0, 0.0, (after - before).norm(), std::min(visible_jump * scale, solver_accuracy * scale + error));
 }
 
 }  // namespace
@@ -84,33 +74,29 @@ double JointSide::curvature() const {
   return cross(first, second) / (v * v * v);
 }
 
-double JointSide::curvature_error() const {
-  // kappa = c' x c'' / |c'|^3
-  const double v = first.norm(), a = second.norm();
-  return (second_error + first_error * 4.0 * a / v) / (v * v);
-}
+double JointSide::curvature_error() const { return kappabench::curvature_error(first, second, error); }
 
-JointSides sides_of(const Segment& before, const Segment& after, double rounding) {
-  return {side_of(before, true, rounding), side_of(after, false, rounding)};
+JointSides sides_of(const Segment& before, const Segment& after, double known_to) {
+  return {side_of(before, true, known_to), side_of(after, false, known_to)};
 }
 
 std::optional<JointMiss> miss_of(const JointSides& sides, Continuity claimed, double chord) {
   using enum Continuity;
   const auto& [before, after] = sides;
   if (auto miss = held(JointMiss::Of::position, 0.0, 0.0, (after.position - before.position).norm(),
-                       solver_accuracy * chord + before.position_error + after.position_error))
+                       solver_accuracy * chord + before.error.position + after.error.position))
     return miss;
   if (claimed == g0) return std::nullopt;
   if (auto miss = tangent_miss(before, after)) return miss;
   if (claimed == g1) return std::nullopt;
   if (claimed == c1 || claimed == c2)
     if (auto miss = derivative_miss(JointMiss::Of::first_derivative, before.first, after.first,
-                                    before.first_error + after.first_error, chord))
+                                    before.error.first + after.error.first, chord))
       return miss;
   if (claimed == c1) return std::nullopt;
   if (claimed == c2)
     if (auto miss = derivative_miss(JointMiss::Of::second_derivative, before.second, after.second,
-                                    before.second_error + after.second_error, chord))
+                                    before.error.second + after.error.second, chord))
       return miss;
   return curvature_miss(before, after, claimed != g1_equal_magnitude, chord);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "schemes/curve/curve.hpp"
+#include "schemes/curve/rounding.hpp"
 
 namespace kappabench {
 
@@ -10,7 +11,7 @@ namespace kappabench {
 /// coordinates can have moved each.
 struct JointSide {
   Vec2 position, first, second;
-  double position_error, first_error, second_error;  ///< lengths
+  RoundingError error;
   Vec2 tangent;          ///< unit; where `first` is all rounding, that of the next derivative (unit_tangent)
   double tangent_error;  ///< radians
 
@@ -23,12 +24,15 @@ struct JointSides {
   JointSide before, after;
 };
 
-/// Both sides of the joint where `before` ends and `after` starts. `rounding`, a length, is one unit in the last place
-/// of the coordinates that the drawing was given in; coordinates of the curve that are larger round by more.
-[[nodiscard]] JointSides sides_of(const Segment& before, const Segment& after, double rounding);
+/// Both sides of the joint where `before` ends and `after` starts. `known_to`, a length, is what the coordinates of the
+/// drawing are rounded to.
+[[nodiscard]] JointSides sides_of(const Segment& before, const Segment& after, double known_to);
 
 /// Relative accuracy that solvers are held to: 4096 roundings.
 inline constexpr double solver_accuracy = 0x1p-40;
+
+/// A relative jump, or an angle in radians, that no rounding explains away.
+inline constexpr double visible_jump = 0.1;
 
 /// What a joint misses of its claim.
 struct JointMiss {

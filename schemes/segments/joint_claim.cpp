@@ -17,7 +17,7 @@ JointSides sides_between(const Segment& before, const Segment& after) {
 }
 
 /// The direction is known to a tenth of a radian. False for what is not a number, too.
-bool moves(const JointSide& side) { return side.first.norm() > 10.0 * side.first_error; }
+bool moves(const JointSide& side) { return side.first.norm() > 10.0 * side.error.first; }
 
 bool have_one_direction(const JointSides& sides) {
   return moves(sides.before) && moves(sides.after) && sides.before.first.dot(sides.after.first) > 0.0;

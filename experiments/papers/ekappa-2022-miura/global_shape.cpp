@@ -55,7 +55,7 @@ bool is_peak(const ProfilePoint& point, const TurningPoint& turn) {
 /// Maxima of |kappa| inside each segment, and whether its point is one of them.
 void measure_segments(const Fit& fit, const Shape& shape, Notes& notes) {
   const Curve& curve = *fit.curve;
-  const CurvatureProfile profile = curvature_profile(curve);
+  const CurvatureProfile profile = curvature_profile(curve, rounding_of(fit.input));
   const std::vector<Node> nodes = inner_nodes(fit);
   const double chord = mean_chord(fit.input);
   for (int k = 0; k < curve.size(); ++k) {

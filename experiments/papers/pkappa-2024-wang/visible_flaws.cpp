@@ -107,7 +107,7 @@ void find_alternating(const Measured& m, VisibleFlaws& found) {
 VisibleFlaws visible_flaws(const Fit& fit) {
   const Curve& curve = *fit.curve;
   const ArcMap arcs(curve);
-  const Measured measured{curve, curvature_profile(curve), arcs, nodes_in_order(curve, arcs)};
+  const Measured measured{curve, curvature_profile(curve, rounding_of(fit.input)), arcs, nodes_in_order(curve, arcs)};
   VisibleFlaws found;
   find_jumps(measured, fit.input, found);
   find_points_off(measured, fit.input, found);

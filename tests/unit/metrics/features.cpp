@@ -204,7 +204,7 @@ TEST_CASE("inflections of a closed eight are found at the closure as well", "[fe
   const SegmentPtr left = bezier({{0, 0}, {-4, 4}, {-4, -4}, {0, 0}});
   const Curve eight({right, left}, {{0, Continuity::g1}, {1, Continuity::g1}}, {{0, 0, 0.5}, {1, 1, 0.5}}, true);
   const ArcMap arcs(eight);
-  const std::vector<double> found = find_inflections(eight, arcs).positions;
+  const std::vector<double> found = find_inflections(eight, arcs, 0x1p-52).positions;
   REQUIRE(found.size() == 2);
   CHECK(found[0] == 0.0);
   CHECK(found[1] == Approx(0.5 * arcs.length()));
