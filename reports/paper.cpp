@@ -5,8 +5,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <initializer_list>
+#include <ranges>
 #include <set>
 #include <span>
 #include <string_view>
@@ -78,6 +80,41 @@ class PaperFile {
   std::string name_;
 };
 
+constexpr std::array<std::pair<StatementKind, std::string_view>, 6> kinds{{{StatementKind::always, "always"},
+                                                                           {StatementKind::in_general, "in general"},
+                                                                           {StatementKind::often, "often"},
+                                                                           {StatementKind::may, "may"},
+                                                                           {StatementKind::growth, "growth"},
+                                                                           {StatementKind::number, "number"}}};
+
+StatementKind read_kind(const PaperFile& file, const toml::table& entry) {
+  const std::string word = file.word(entry, "kind");
+  const auto found = std::ranges::find(kinds, word, &decltype(kinds)::value_type::second);
+  if (found != kinds.end()) return found->first;
+  file.refuse(entry, fmt::format("kind '{}' is none of {}", word, fmt::join(kinds | std::views::values, ", ")));
+}
+
+/// A bound of `at_least`, `at_most`; both are for kinds that have a number.
+void read_bound(const PaperFile& file, const toml::table& entry, std::string_view key, StatementKind kind,
+                double& bound) {
+  const toml::node* node = entry.get(key);
+  if (node == nullptr) return;
+  if (kind != StatementKind::growth && kind != StatementKind::number)
+    file.refuse(*node, fmt::format("'{}' is for the kinds growth and number", key));
+  const auto value = node->value<double>();
+  if (!value) file.refuse(*node, fmt::format("'{}' must be a number", key));
+  bound = *value;
+}
+
+PrintedClaim read_claim(const PaperFile& file, const toml::table& entry) {
+  file.only(entry, {"id", "place", "text", "printed", "kind", "at_least", "at_most"});
+  PrintedClaim claim{file.word(entry, "id"), file.word(entry, "place"), file.word(entry, "text"),
+                     file.word(entry, "printed", false), read_kind(file, entry)};
+  read_bound(file, entry, "at_least", claim.kind, claim.at_least);
+  read_bound(file, entry, "at_most", claim.kind, claim.at_most);
+  return claim;
+}
+
 PrintedTable read_printed_table(const PaperFile& file, const toml::table& entry) {
   file.only(entry, {"id", "place", "title", "columns", "rows"});
   PrintedTable table{file.word(entry, "id"),
@@ -98,6 +135,12 @@ PrintedTable read_printed_table(const PaperFile& file, const toml::table& entry)
 
 }  // namespace
 
+std::string_view name(StatementKind kind) {
+  const auto found = std::ranges::find(kinds, kind, &decltype(kinds)::value_type::first);
+  if (found == kinds.end()) throw std::logic_error("name(StatementKind): not a value of the enumeration");
+  return found->second;
+}
+
 Paper parse_paper(std::string_view text, const std::string& name) {
   toml::table root;
   try {
@@ -114,9 +157,7 @@ Paper parse_paper(std::string_view text, const std::string& name) {
       std::filesystem::path(name).stem().string(), file.word(*head, "title"), file.word(*head, "citation"), {}, {}};
   std::set<std::string> ids;
   for (const auto* entry : file.tables(root, "claim")) {
-    file.only(*entry, {"id", "place", "text", "printed"});
-    paper.claims.push_back({file.word(*entry, "id"), file.word(*entry, "place"), file.word(*entry, "text"),
-                            file.word(*entry, "printed", false)});
+    paper.claims.push_back(read_claim(file, *entry));
     if (!ids.insert(paper.claims.back().id).second) file.refuse(*entry, "id used twice: " + paper.claims.back().id);
   }
   for (const auto* entry : file.tables(root, "table")) {
@@ -140,6 +181,13 @@ const Paper& printed_paper(std::string_view id) {
   const std::vector<Paper>& papers = printed_papers();
   const auto found = std::ranges::find(papers, id, &Paper::id);
   if (found == papers.end()) throw PaperError(fmt::format("reports/paper/{}.toml: there is no such file", id));
+  return *found;
+}
+
+const PrintedClaim& printed_claim(std::string_view paper, std::string_view id) {
+  const std::vector<PrintedClaim>& claims = printed_paper(paper).claims;
+  const auto found = std::ranges::find(claims, id, &PrintedClaim::id);
+  if (found == claims.end()) throw PaperError(fmt::format("reports/paper/{}.toml has no claim '{}'", paper, id));
   return *found;
 }
 

@@ -173,7 +173,7 @@ std::vector<std::string> strange_claims(const store::Results& results, const std
         warnings.push_back(
             fmt::format("{}: the file of paper '{}' has no claim '{}'", experiment.id, record.paper, record.claim));
       }
-      if (record.verdict != "reproduced" && record.verdict != "not reproduced" && record.verdict != "contradicted") {
+      if (std::ranges::find(store::verdicts, record.verdict) == store::verdicts.end()) {
         warnings.push_back(
             fmt::format("{}: claim '{}' has the unknown verdict '{}'", experiment.id, record.claim, record.verdict));
       }

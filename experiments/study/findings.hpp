@@ -10,9 +10,17 @@
 #include "experiments/study/rows.hpp"
 #include "experiments/study/table.hpp"
 #include "experiments/study/tally.hpp"
+#include "experiments/study/verdicts.hpp"
 #include "metrics/statistics.hpp"
 
 namespace kappabench::study {
+
+/// What an experiment says of a claim in its own words.
+struct Said {
+  std::string ours;      ///< our number or words
+  std::string evidence;  ///< one or two sentences, with counts
+  std::string method{};  ///< whose method was judged, where there are two
+};
 
 /// The finished cells of an experiment, to read from, and its tables, figures and verdicts, to write to.
 class Findings {
@@ -39,10 +47,23 @@ class Findings {
 
   void add(const Table& table) { record_->tables.push_back(table.record()); }
   void add(store::FigureRecord figure);  ///< one without panels is left out
-  /// The verdict on claim `id` of the paper, with our number or words and the evidence for it.
-  void claim(std::string_view id, std::string verdict, std::string ours, std::string evidence);
+
+  // Verdicts on claims of the paper, by the rules of verdicts.hpp.
+
+  /// Of the kinds always, in general, often, may.
+  void judge(std::string_view id, const Tally& sample, Said said);
+  /// Of the kinds growth and number.
+  void judge(std::string_view id, const Interval& measured, Said said);
+  /// A formula that holds corrected if not as printed.
+  void judge_formula(std::string_view id, const Tally& printed, const Tally& corrected, Said said);
+  /// What decides is not printed; the evidence shows how.
+  void undecidable(std::string_view id, Said said);
+  /// What was tested could not have failed.
+  void by_construction(std::string_view id, Said said);
 
  private:
+  void add_claim(std::string_view id, Ruling ruling, Said said);
+
   const Context* context_;
   std::string_view paper_;
   store::ExperimentRecord* record_;

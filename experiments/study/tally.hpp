@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "experiments/study/verdicts.hpp"
-
 namespace kappabench::study {
 
-/// How many of the cases agree with a statement, and the verdict that follows by its kind (verdicts.hpp).
+/// Share of cases that agree, "1234 of 1240 (99.5 %)".
+[[nodiscard]] std::string share(double agree, double cases);
+
+/// How many of the cases agree with a statement.
 struct Tally {
   double agree = 0.0, cases = 0.0;
 
@@ -24,10 +25,18 @@ struct Tally {
   [[nodiscard]] double misses() const { return cases - agree; }
   [[nodiscard]] double share() const { return agree / cases; }                    ///< NaN of no case
   [[nodiscard]] std::string words() const { return study::share(agree, cases); }  ///< "1234 of 1240 (99.5 %)"
-  [[nodiscard]] std::string always() const { return verdict_for_all(misses(), cases); }
-  [[nodiscard]] std::string in_general() const { return verdict_in_general(agree, cases); }
-  [[nodiscard]] std::string often() const { return verdict_often(agree, cases); }
 };
+
+/// All of the cases but these agree.
+[[nodiscard]] inline Tally all_but(double misses, double cases) { return {cases - misses, cases}; }
+
+/// The one case that there is, if there is one.
+[[nodiscard]] inline Tally one_case(bool there, bool holds) { return there ? Tally{holds ? 1.0 : 0.0, 1.0} : Tally{}; }
+
+/// The weaker of two: the one that agrees less often.
+[[nodiscard]] inline Tally weaker(const Tally& a, const Tally& b) {
+  return a.agree * b.cases < b.agree * a.cases ? a : b;
+}
 
 /// How many of the numbers satisfy `holds`; without it, how many are not 0.
 template <class Holds = std::identity>

@@ -9,7 +9,7 @@
 namespace kappabench::store {
 
 /// Version of the layout in reports/README.md. A file of another version is refused.
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 /// A file that cannot be written or read; what() is one line: which file, what is wrong, what would be right.
 class StoreError : public std::runtime_error {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -121,13 +123,24 @@ struct FigureRecord {
   bool operator==(const FigureRecord&) const = default;
 };
 
+/// All words that ClaimRecord::verdict may be. `undecided`: the sample is too small to tell. `undecidable`: something
+/// that the paper does not print decides. `by construction`: our check could not have failed; it is in no total.
+inline constexpr std::array<std::string_view, 7> verdicts{"reproduced",  "not reproduced", "contradicted",   "misprint",
+                                                          "undecidable", "undecided",      "by construction"};
+
 /// The verdict on one claim of reports/paper/<paper>.toml.
 struct ClaimRecord {
   std::string paper;     ///< "ekappa-2022-miura"
   std::string claim;     ///< id in the toml file
-  std::string verdict;   ///< reproduced | not reproduced | contradicted
+  std::string verdict;   ///< one of verdicts
   std::string ours;      ///< our number or words
   std::string evidence;  ///< one or two sentences, with counts
+  std::string method;    ///< whose method was judged, where there are two: "as printed"; may be empty
+  // How the verdict came about: experiments/study/verdicts.hpp.
+  std::string kind;      ///< of the statement: "in general"
+  std::string sample;    ///< "1234 of 1240 agree"
+  std::string interval;  ///< what the sample says of all, at 95 % confidence: "98.9 % to 99.8 %"; may be empty
+  std::string rule;      ///< what the interval was held against: "reproduced from 95 %, contradicted below 50 %"
   bool operator==(const ClaimRecord&) const = default;
 };
 

@@ -130,6 +130,11 @@ void describe_claim(Tree& tree, Claim& claim) {
   tree.value("verdict", claim.verdict);
   tree.value("ours", claim.ours);
   tree.value("evidence", claim.evidence);
+  tree.value("method", claim.method);
+  tree.value("kind", claim.kind);
+  tree.value("sample", claim.sample);
+  tree.value("interval", claim.interval);
+  tree.value("rule", claim.rule);
 }
 
 template <class Tree, class Experiment>
