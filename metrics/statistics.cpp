@@ -30,6 +30,14 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+double quantile(std::vector<double> values, double share) {
+  values = without_nan(values);
+  if (values.empty()) return undefined;
+  std::ranges::sort(values);
+  const auto n = static_cast<double>(values.size());
+  return values[static_cast<std::size_t>(std::min(share * n, n - 1.0))];
+}
+
 double largest(std::span<const double> values) {
   const std::vector<double> kept = without_nan(values);
   return kept.empty() ? undefined : *std::ranges::max_element(kept);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "metrics/statistics.hpp"
+
 namespace kappabench::study {
 
 namespace {
@@ -59,6 +61,13 @@ Interval wilson(const Tally& sample) {
   const double p = agree / cases, middle = (p + 0.5 * zz) / (1.0 + zz);
   const double reach = std::sqrt((p * (1.0 - p) + 0.25 * zz) * zz) / (1.0 + zz);
   return {agree == 0.0 ? 0.0 : std::max(0.0, middle - reach), agree == cases ? 1.0 : std::min(1.0, middle + reach)};
+}
+
+Interval interval_of_median(std::vector<double> sample) {
+  std::erase_if(sample, [](double v) { return std::isnan(v); });
+  const auto n = static_cast<double>(sample.size());
+  const auto [low, high] = wilson({0.5 * n, n});
+  return {quantile(sample, low), quantile(sample, high)};
 }
 
 Ruling ruling(StatementKind kind, const Tally& sample) {

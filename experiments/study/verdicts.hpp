@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiments/study/tally.hpp"
 #include "reports/paper.hpp"
@@ -27,6 +28,10 @@ struct Interval {
 /// Wilson's interval of a share at 95 % confidence (Probable inference, the law of succession, and statistical
 /// inference, J. Am. Stat. Assoc. 22, 1927). From 0 to 1 of no case.
 [[nodiscard]] Interval wilson(const Tally& sample);
+
+/// The median of all of which this is a sample, at 95 % confidence, whatever their distribution: a number is below it
+/// with chance 1/2, so it lies between the quantiles at the ends of the interval of that share. NaNs are left out.
+[[nodiscard]] Interval interval_of_median(std::vector<double> sample);
 
 /// A verdict, and what it was got by, in words.
 struct Ruling {

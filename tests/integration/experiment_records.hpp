@@ -62,9 +62,13 @@ inline store::ExperimentRecord concluded(store::ExperimentRecord record,
   return record;
 }
 
-/// The verdict on a claim, which must have been judged, with our value and the evidence.
-inline std::string verdict(const store::ExperimentRecord& record, std::string_view claim) {
-  const auto found = std::ranges::find(record.claims, claim, &store::ClaimRecord::claim);
+/// The verdict on a claim, which must have been judged, with our value and the evidence. `method`: where two are
+/// judged.
+inline std::string verdict(const store::ExperimentRecord& record, std::string_view claim,
+                           std::string_view method = {}) {
+  const auto found = std::ranges::find_if(record.claims, [&](const store::ClaimRecord& judged) {
+    return judged.claim == claim && (method.empty() || judged.method == method);
+  });
   REQUIRE(found != record.claims.end());
   CHECK_FALSE(found->ours.empty());
   CHECK_FALSE(found->evidence.empty());
@@ -130,7 +134,8 @@ inline void check_filled(const store::ExperimentRecord& record) {
   }
 }
 
-/// Every claim of reports/paper/<paper>.toml is judged by exactly one experiment, and none that is not there.
+/// Every claim of reports/paper/<paper>.toml is judged by exactly one experiment (`judged`: the claims of each), and
+/// none that is not there.
 inline void check_each_claim_is_judged_once(const std::string& paper, const std::multiset<std::string>& judged) {
   const Paper& printed = printed_paper(paper);
   for (const PrintedClaim& claim : printed.claims) {

@@ -1,5 +1,6 @@
 // The experiments on FPC-curves: what they conclude, and that they conclude otherwise from other data.
 
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -18,7 +19,7 @@ namespace {
 const std::vector<std::string> experiments{"fpc-features",     "fpc-loops",   "fpc-convergence",   "fpc-loop-size",
                                            "fpc-inflection-h", "fpc-gallery", "fpc-point-economy", "fpc-locality"};
 
-/// Tables, figures and claims of an experiment; claims without data are not reproduced.
+/// Tables, figures and claims of an experiment. Without data a claim is undecided, but for those that ask no cell.
 void check_conclusions(const store::ExperimentRecord& record, std::multiset<std::string>& judged) {
   check_same_conclusions(concluded(record), record);
   check_filled(record);
@@ -29,10 +30,10 @@ void check_conclusions(const store::ExperimentRecord& record, std::multiset<std:
   }
   store::ExperimentRecord empty{.id = record.id};
   for (const store::ClaimRecord& claim : concluded(empty).claims)
-    if (claim.claim != "h-range") CHECK(claim.verdict == "not reproduced");
+    if (claim.claim != "h-range" && claim.claim != "twelve-points") CHECK(claim.verdict == "undecided");
 }
 
-/// A claim whose verdict another value in a column turns.
+/// A claim whose verdict another value in a column turns. An empty `before` is the study's to find.
 struct Turn {
   std::string experiment, claim, column;
   double value;
@@ -43,15 +44,23 @@ const std::vector<Turn> turns{
     {"fpc-features", "cusps-and-loops-at-points", "not at a point of that type", 1, "reproduced", "contradicted"},
     {"fpc-features", "inflections-at-points-or-joints", "not at a point of that type", 1, "reproduced", "contradicted"},
     {"fpc-features", "points-have-their-type", "missing", 1, "reproduced", "contradicted"},
+    {"fpc-features", "points-have-their-type", "solved", 0, "reproduced", "contradicted"},
     {"fpc-gallery", "g2-almost-everywhere", "kept", 0, "reproduced", "contradicted"},
-    {"fpc-loops", "three-points-two-loops", "loops_at_nodes", 1, "reproduced", "contradicted"},
-    {"fpc-loops", "kappa-needs-five", "most loops", 2, "reproduced", "contradicted"},
-    {"fpc-point-economy", "twelve-points", "loops", 11, "reproduced", "contradicted"},
+    {"fpc-loops", "three-points-two-loops", "loops_at_nodes", 1, "reproduced", "undecided"},
+    {"fpc-loops", "spline-loops-away", "loops_at_nodes", 2, "reproduced", "undecided"},
+    {"fpc-loops", "kappa-needs-five", "with two loops", 1, "reproduced", "contradicted"},
+    {"fpc-point-economy", "twelve-points", "loops", 11, "by construction", "by construction"},
     {"fpc-loop-size", "loop-size", "length", 0, "reproduced", "contradicted"},
-    {"fpc-inflection-h", "h-size", "stretch", 0, "reproduced", "contradicted"},
-    {"fpc-inflection-h", "joint-system-regular", "condition", 10, "contradicted", "reproduced"},
-    {"fpc-convergence", "step-15", "difference", 1e-7, "not reproduced", "reproduced"},
-    {"fpc-locality", "local-influence", "decay", 0.1, "not reproduced", "reproduced"},
+    {"fpc-inflection-h", "h-sign", "bends the other way", 0, "not reproduced", "contradicted"},
+    {"fpc-inflection-h", "h-sign", "bends the other way", 1, "not reproduced", "reproduced"},
+    {"fpc-inflection-h", "h-size", "stretch", 0, "", "contradicted"},
+    {"fpc-inflection-h", "h-size", "stretch", 2, "", "reproduced"},
+    {"fpc-inflection-h", "joint-system-regular", "no singular system", 0, "reproduced", "contradicted"},
+    {"fpc-convergence", "step-15", "error factor a step", 0.9, "reproduced", "contradicted"},
+    {"fpc-convergence", "step-50", "relative mismatch", 1e-6, "reproduced", "not reproduced"},
+    {"fpc-convergence", "dozens-of-iterations", "steps to 1e-10", std::nan(""), "reproduced", "contradicted"},
+    {"fpc-locality", "local-influence", "decay", 0.1, "", "reproduced"},
+    {"fpc-locality", "local-influence", "decay", 0.9, "", "contradicted"},
 };
 
 }  // namespace
@@ -65,7 +74,7 @@ TEST_CASE("fpc experiments: tables, figures, one verdict for every claim of the 
     for (const Turn& turn : turns) {
       if (turn.experiment != id) continue;
       INFO(turn.claim);
-      CHECK(verdict(record, turn.claim) == turn.before);
+      if (!turn.before.empty()) CHECK(verdict(record, turn.claim) == turn.before);
       store::ExperimentRecord turned = record;
       set_column(turned, turn.column, turn.value);
       CHECK(verdict(concluded(turned), turn.claim) == turn.after);

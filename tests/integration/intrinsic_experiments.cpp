@@ -2,6 +2,7 @@
 // data.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -27,6 +28,10 @@ const std::vector<PlannedExperiment> experiments{
     {.id = "intrinsic-g2"},
     {.id = "intrinsic-control", .datasets = {"random-g1:n=1"}},
     {.id = "intrinsic-g1-to-g2"}};
+
+/// Claims that no data decide.
+const std::map<std::string, std::string> without_data{
+    {"level-ends", "by construction"}, {"g1-made-g2", "by construction"}, {"time-grows", "undecidable"}};
 
 store::ExperimentRecord computed(const PlannedExperiment& planned) {
   return test::computed(planned.id, {.registry = all_schemes(), .datasets = planned.datasets});
@@ -58,7 +63,10 @@ TEST_CASE("intrinsic experiments: tables, figures and one verdict for every clai
     }
     // A verdict needs data.
     const store::ExperimentRecord empty{.id = planned.id};
-    for (const store::ClaimRecord& claim : concluded(empty).claims) CHECK(claim.verdict == "not reproduced");
+    for (const store::ClaimRecord& claim : concluded(empty).claims) {
+      INFO(claim.claim);
+      CHECK(claim.verdict == (without_data.contains(claim.claim) ? without_data.at(claim.claim) : "undecided"));
+    }
   }
   check_each_claim_is_judged_once(std::string(yoshida::paper), judged);
 }
@@ -72,19 +80,23 @@ TEST_CASE("intrinsic experiments: verdicts follow the data") {
   std::map<std::string, store::ExperimentRecord> once;
   for (const Row& row :
        {Row{"intrinsic-example", "integral-of-bezier-segments", "whole is off", 1e-3, "reproduced", "contradicted"},
-        Row{"intrinsic-example", "angle-in-closed-form", "printed is off", 1e-16, "contradicted", "reproduced"},
+        Row{"intrinsic-example", "angle-in-closed-form", "printed is off", 1e-16, "misprint", "reproduced"},
+        Row{"intrinsic-example", "angle-in-closed-form", "corrected is off", 1e-3, "misprint", "contradicted"},
         Row{"intrinsic-g1", "monotone-for-p", "not monotone", 1, "reproduced", "contradicted"},
         Row{"intrinsic-g1", "inflection-may-appear", "inflected", 0, "reproduced", "not reproduced"},
-        Row{"intrinsic-g1", "level-ends", "level ends", 3, "reproduced", "contradicted"},
-        Row{"intrinsic-g1", "p-changes-shape", "reshaped", 1, "reproduced", "contradicted"},
-        Row{"intrinsic-g1", "length-from-turning", "parallel tangents by Eq. (8)", 1, "contradicted", "reproduced"},
+        // Of 80 conditions 79 change, which could be less than 95 % of all.
+        Row{"intrinsic-g1", "p-changes-shape", "reshaped", 40, "undecided", "reproduced"},
+        Row{"intrinsic-g1", "p-changes-shape", "reshaped", 1, "undecided", "contradicted"},
+        Row{"intrinsic-g1", "length-from-turning", "lengths by Eq. (8)", 1, "reproduced", "contradicted"},
         Row{"intrinsic-viable-region", "any-g2-data", "monotone", 14, "reproduced", "contradicted"},
-        Row{"intrinsic-viable-region", "more-with-b-splines", "covered to", 0, "reproduced", "contradicted"},
-        Row{"intrinsic-viable-region", "curvature-over-chord", "inside by division", 1e9, "contradicted", "reproduced"},
-        Row{"intrinsic-g2", "beyond-previous-method", "nearest end", 0, "reproduced", "contradicted"},
+        Row{"intrinsic-viable-region", "more-with-b-splines", "covered to", 0, "reproduced", "undecided"},
+        Row{"intrinsic-viable-region", "curvature-over-chord", "inside by multiplication", 1, "misprint",
+            "contradicted"},
+        Row{"intrinsic-g2", "beyond-previous-method", "nearest end", 0, "reproduced", "undecided"},
         Row{"intrinsic-g2", "like-a-step", "transition", 0.5, "reproduced", "contradicted"},
+        Row{"intrinsic-g2", "like-a-step", "monotone", 0, "reproduced", "undecided"},
         Row{"intrinsic-control", "moved-controls-keep-data", "moderate moves solved", 0, "reproduced", "contradicted"},
-        Row{"intrinsic-g1-to-g2", "g1-made-g2", "jump after", 0.1, "reproduced", "contradicted"}}) {
+        Row{"intrinsic-control", "large-moves", "no solution from", std::nan(""), "reproduced", "undecided"}}) {
     INFO(row.claim);
     if (!once.contains(row.experiment)) once.emplace(row.experiment, computed_small(row.experiment));
     store::ExperimentRecord record = once.at(row.experiment);
@@ -96,7 +108,11 @@ TEST_CASE("intrinsic experiments: verdicts follow the data") {
 
 TEST_CASE("intrinsic experiments: Eq. (12) is judged by the curves that are found") {
   store::ExperimentRecord record = computed_small("intrinsic-viable-region");
-  CHECK(verdict(concluded(record), "monotone-region") == "contradicted");
+  // Were all ends of spirals inside with curvatures over the chord, that would stand.
+  set_column(record, "spirals with chord 4", 7);
+  set_column(record, "inside by division", 7);
+  CHECK(verdict(concluded(record), "curvature-over-chord") == "reproduced");
+  CHECK(verdict(concluded(record), "monotone-region") == "misprint");
   // Were there a monotone curve everywhere, the printed inequality would stand.
   for (store::CellRecord& cell : record.cells) {
     if (cell.label != "automatic") continue;
@@ -118,13 +134,15 @@ TEST_CASE("intrinsic experiments: times decide about times") {
         cell.timings.at(name + " controls: " + work).assign(3, seconds(row++));
     }
   };
-  set_times("simplex and points", [](double row) { return 1e-3 * (1.0 + row); });
-  CHECK(verdict(concluded(record), "time-grows") == "reproduced");
-  set_times("simplex and points", [](double row) { return 1e-3 * (9.0 - row); });
-  CHECK(verdict(concluded(record), "time-grows") == "contradicted");
+  set_times("each condition", [](double row) { return 1e-3 * (1.0 + row); });
   CHECK(verdict(concluded(record), "interactive") == "reproduced");
+  set_times("each condition", [](double row) { return 1e-2 * (1.0 + row); });
+  CHECK(verdict(concluded(record), "interactive") == "undecided");
   set_times("each condition", [](double) { return 1.0; });
-  CHECK(verdict(concluded(record), "interactive") == "contradicted");
+  CHECK(verdict(concluded(record), "interactive") == "not reproduced");
+  // How it grows is our quadrature's doing, whatever it is.
+  set_times("simplex and points", [](double row) { return 1e-3 * (1.0 + row); });
+  CHECK(verdict(concluded(record), "time-grows") == "undecidable");
 }
 
 TEST_CASE("intrinsic experiments: all but times is the same in every run") {

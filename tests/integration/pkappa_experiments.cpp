@@ -47,6 +47,10 @@ void fill(store::ExperimentRecord& record, const std::string& label, const std::
   REQUIRE(found);
 }
 
+/// As many cases as a verdict on what happens in general needs.
+constexpr std::size_t enough = 200;
+std::vector<double> many(double value) { return std::vector<double>(enough, value); }
+
 /// Gives every pair of weights one curve with a number of its own.
 void fill_weights(store::ExperimentRecord& record, const std::string& quantity, const std::array<double, 8>& values) {
   for (std::size_t p = 0; p < values.size(); ++p) {
@@ -69,12 +73,14 @@ TEST_CASE("pkappa experiments: every claim of the paper is judged once, and by d
   for (const Experiment& experiment : all_experiments()) {
     if (!experiment.id.starts_with("pkappa-")) continue;
     INFO(experiment.id);
+    std::set<std::string> here;
     for (const store::ClaimRecord& claim : concluded({.id = experiment.id}).claims) {
       INFO(claim.claim);
       CHECK(claim.paper == "pkappa-2024-wang");
-      CHECK(claim.verdict == "not reproduced");
-      judged.insert(claim.claim);
+      CHECK((claim.verdict == "undecided" || claim.verdict == "undecidable" || claim.verdict == "by construction"));
+      here.insert(claim.claim);
     }
+    judged.insert(here.begin(), here.end());
   }
   check_each_claim_is_judged_once("pkappa-2024-wang", judged);
 }
@@ -128,11 +134,9 @@ TEST_CASE("pkappa experiments: verdicts on weights follow the energies") {
     printed[p] = wang::table_1[p].mean;
     opposite[p] = 1e-6 / printed[p];
   }
-  for (const std::string claim : {"table-1-order", "best-weights", "favourable-range"}) {
-    INFO(claim);
-    CHECK(with(claim, "mean E", printed) == "reproduced");
-    CHECK(with(claim, "mean E", opposite) == "contradicted");
-  }
+  // What is not printed decides, whatever we measure.
+  for (const std::string claim : {"table-1-order", "best-weights", "favourable-range"})
+    for (const auto& values : {printed, opposite}) CHECK(with(claim, "mean E", values) == "undecidable");
   const auto all_but = [](double others, std::size_t pair, double value) {
     std::array<double, 8> values{};
     values.fill(others);
@@ -140,19 +144,16 @@ TEST_CASE("pkappa experiments: verdicts on weights follow the energies") {
     return values;
   };
   CHECK(with("no-weights-elongate", "length over chords", all_but(1, wang::unweighted, 2.0)) == "reproduced");
-  CHECK(with("no-weights-elongate", "length over chords", all_but(1, wang::unweighted, 0.5)) == "contradicted");
-  for (const auto& [crossings, expected] :
-       {std::pair(3.0, "reproduced"), std::pair(1.0, "not reproduced"), std::pair(0.0, "contradicted")})
+  CHECK(with("no-weights-elongate", "length over chords", all_but(1, wang::unweighted, 0.5)) == "undecided");
+  for (const auto& [crossings, expected] : {std::pair(3.0, "reproduced"), std::pair(1.0, "undecided")})
     CHECK(with("large-edge-weight-crosses", "crossings", all_but(1, wang::heavy_edges, crossings)) == expected);
-  CHECK(with("table-1-three-digits", "sensitivity", all_but(1e-6, 0, 1e-6)) == "reproduced");
-  CHECK(with("table-1-three-digits", "sensitivity", all_but(0.5, 0, 0.5)) == "contradicted");
 }
 
 TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost follow the data") {
   const auto stages = [](double after) {
     return [after](store::ExperimentRecord& record) {
-      fill(record, "printed, stage 1", "mean E", {1e-3});
-      fill(record, "printed, stage 2", "mean E", {after});
+      fill(record, "printed, stage 1", "mean E", many(1e-3));
+      fill(record, "printed, stage 2", "mean E", many(after));
     };
   };
   CHECK(verdict_with("pkappa-stages", "stage-2-lowers-energy", stages(1e-4)) == "reproduced");
@@ -161,8 +162,9 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
   const auto energies = [](double geometric) {
     return [geometric](store::ExperimentRecord& record) {
       for (const std::string parametric : {"C1, open, local", "C2, open, local"})
-        fill(record, parametric, "mean E", {1e-3});
-      for (const std::string other : {"G1, open, local", "G2, open, local"}) fill(record, other, "mean E", {geometric});
+        fill(record, parametric, "mean E", many(1e-3));
+      for (const std::string other : {"G1, open, local", "G2, open, local"})
+        fill(record, other, "mean E", many(geometric));
     };
   };
   CHECK(verdict_with("pkappa-continuity", "geometric-lowers-energy", energies(1e-4)) == "reproduced");
@@ -173,7 +175,8 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
                             measured{column, "1", Method::sampled};
       for (store::CellRecord& cell : record.cells)
         if (cell.label.ends_with("open, local"))
-          study::Notes(cell).row({wang::curve_number(0)}, {solved(1), segments(8), measured(value)});
+          for (std::size_t i = 0; i < enough; ++i)
+            study::Notes(cell).row({wang::curve_number(i)}, {solved(1), segments(8), measured(value)});
     };
   };
   const std::string few = "segments_with_at_most_two_intervals", offset = "extremum_offset_mean";
@@ -181,21 +184,20 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
   CHECK(verdict_with("pkappa-continuity", "two-intervals", curves(few, 0.3)) == "contradicted");
   CHECK(verdict_with("pkappa-continuity", "points-near-extrema", curves(offset, 0.01)) == "reproduced");
   CHECK(verdict_with("pkappa-continuity", "points-near-extrema", curves(offset, 0.3)) == "contradicted");
-  CHECK(verdict_with("pkappa-continuity", "continuity-held", curves("missed joints", 0)) == "reproduced");
-  CHECK(verdict_with("pkappa-continuity", "continuity-held", curves("missed joints", 1)) == "contradicted");
+  CHECK(verdict_with("pkappa-continuity", "continuity-held", curves("missed joints", 0)) == "by construction");
 
   const auto asymmetry = [](double local, double global) {
     return [local, global](store::ExperimentRecord& record) {
       const study::Key question{"question"};
-      fill(record, "local", "deviation", {local}, {question("symmetric, open")});
-      fill(record, "global", "deviation", {global}, {question("symmetric, open")});
+      fill(record, "local", "deviation", many(local), {question("symmetric, open")});
+      fill(record, "global", "deviation", many(global), {question("symmetric, open")});
     };
   };
   const std::string order = "pkappa-order-and-symmetry";
   CHECK(verdict_with(order, "symmetry-not-ensured", asymmetry(0.1, 0.0)) == "reproduced");
-  CHECK(verdict_with(order, "symmetry-not-ensured", asymmetry(1e-9, 0.0)) == "contradicted");
+  CHECK(verdict_with(order, "symmetry-not-ensured", asymmetry(1e-9, 0.0)) == "not reproduced");
   CHECK(verdict_with(order, "global-may-improve", asymmetry(0.1, 1e-9)) == "reproduced");
-  CHECK(verdict_with(order, "global-may-improve", asymmetry(0.1, 0.2)) == "contradicted");
+  CHECK(verdict_with(order, "global-may-improve", asymmetry(0.1, 0.2)) == "not reproduced");
 
   const auto times = [](double global) {
     return [global](store::ExperimentRecord& record) {
@@ -204,7 +206,7 @@ TEST_CASE("pkappa experiments: verdicts on stages, continuity, symmetry and cost
     };
   };
   CHECK(verdict_with("pkappa-solvers", "global-costs-more", times(5e-3)) == "reproduced");
-  CHECK(verdict_with("pkappa-solvers", "global-costs-more", times(1e-4)) == "contradicted");
+  CHECK(verdict_with("pkappa-solvers", "global-costs-more", times(1e-6)) == "contradicted");
 }
 
 TEST_CASE("pkappa experiments: the table of solvers compares with Levenberg-Marquardt in the same windows") {
@@ -226,12 +228,12 @@ TEST_CASE("pkappa experiments: the table of solvers compares with Levenberg-Marq
 
 TEST_CASE("pkappa experiments: the bounds of the gallery are those of its curves") {
   store::ExperimentRecord record = run_one({.id = "pkappa-gallery"});
-  CHECK(verdict(record, "mean-energy-bound") == "reproduced");
+  const std::string ours = "our default mode";
+  CHECK(verdict(record, "mean-energy-bound", ours) == "reproduced");
   set_column(record, "parabola_energy_native_mean", 0.01);
-  CHECK(verdict(concluded(record), "mean-energy-bound") == "contradicted");
-  for (store::CellRecord& cell : record.cells)
-    for (store::CurveRecord& curve : cell.curves) curve.seconds = 100.0;
-  CHECK(verdict(concluded(record), "time-bound") == "contradicted");
+  for (const std::string& method : {ours, std::string("as printed")})
+    CHECK(verdict(concluded(record), "mean-energy-bound", method) == "contradicted");
+  CHECK(verdict(record, "time-bound") == "by construction");
 }
 
 TEST_CASE("pkappa experiments: energies are those of the paper's equations") {

@@ -155,14 +155,14 @@ void claim_handle(Findings& found) {
   drawn.add(std::abs(sharper) > 1.0);
   drawn.add(std::abs(flatter) < 1.0);
   const Tally up = raised(found, sharpen), down = raised(found, flatten);
-  found.claim(
-      "extra-points-control-curvature", drawn.always(),
-      fmt::format("κ times {:.3g} with two points added to sharpen, {:.3g} to flatten{}", sharper, flatter,
-                  flatter < 0.0 ? " (it bends the other way there)" : ""),
-      fmt::format("Our stand-in for Fig. 2, points added by hand. By a fixed rule at points of all drawings the "
-                  "added points raise |κ| in {} cases (on the chords) and do not raise it in {} (parallel to "
-                  "the chord of the neighbours): a handle, but one that has to be tried out.",
-                  up.words(), study::share(down.misses(), down.cases)));
+  found.judge(
+      "extra-points-control-curvature", drawn,
+      {fmt::format("κ times {:.3g} with two points added to sharpen, {:.3g} to flatten{}", sharper, flatter,
+                   flatter < 0.0 ? " (it bends the other way there)" : ""),
+       fmt::format("Our stand-in for Fig. 2, points added by hand. By a fixed rule at points of all drawings the "
+                   "added points raise |κ| in {} cases (on the chords) and do not raise it in {} (parallel to "
+                   "the chord of the neighbours): a handle, but one that has to be tried out.",
+                   up.words(), study::share(down.misses(), down.cases))});
 }
 
 void conclude(Findings& found) {

@@ -212,44 +212,46 @@ void claim_applicability(Findings& found, std::string_view id, std::string_view 
     if (!(said_to_apply(alpha_of(*row)) ? applies(*row) : vanishes(*row)))
       wrong.push_back(fmt::format("{:.3g} (end curvature {:.2g} of the middle's)", alpha_of(*row),
                                   std::max((*row)[at_start], (*row)[at_end])));
-  found.claim(
-      id, study::verdict_for_all(static_cast<double>(wrong.size()), static_cast<double>(rows.size())),
-      fmt::format("{} of {} shape parameters as stated", rows.size() - wrong.size(), rows.size()),
-      fmt::format("End curvatures over three triangles of control points{}{}.{}{}",
-                  wrong.empty() ? "" : "; not as stated: ", fmt::join(wrong, ", "), remark.empty() ? "" : " ", remark));
+  found.judge(id, study::all_but(static_cast<double>(wrong.size()), static_cast<double>(rows.size())),
+              {fmt::format("{} of {} shape parameters as stated", rows.size() - wrong.size(), rows.size()),
+               fmt::format("End curvatures over three triangles of control points{}{}.{}{}",
+                           wrong.empty() ? "" : "; not as stated: ", fmt::join(wrong, ", "), remark.empty() ? "" : " ",
+                           remark)});
 }
 
-/// "Hardly": at most a quarter of what the paper's own basis changes from a = 2/3 to 0.95.
+/// "Hardly": as a share of what the paper's own basis changes from a = 2/3 to 0.95.
 void claim_c_bezier(Findings& found) {
-  constexpr double hardly = 0.25;
   const double theirs = change(found, "c-bezier"), own = change(found, "bernstein");
   const Rows rows = ends(found, "c-bezier");
-  found.claim("c-bezier-unsuitable", theirs <= hardly * own ? "reproduced" : "not reproduced",
-              fmt::format("functions change by {:.3f}, {:.0f} % of the Bernstein basis's {:.3f}", theirs,
-                          100.0 * theirs / own, own),
-              fmt::format("Compared with a from 2/3 to 0.95; 'hardly' is taken as at most {:.0f} %. The basis is "
-                          "unsuitable for another reason: both end curvatures vanish for {} of {} parameters.",
-                          100.0 * hardly, rows.where_row(vanishes).size(), rows.size()));
+  found.judge("c-bezier-unsuitable", study::Interval{theirs / own, theirs / own},
+              {fmt::format("functions change by {:.3f}, {:.0f} % of the Bernstein basis's {:.3f}", theirs,
+                           100.0 * theirs / own, own),
+               fmt::format("Compared with a from 2/3 to 0.95. The basis is unsuitable for another reason: both end "
+                           "curvatures vanish for {} of {} parameters.",
+                           rows.where_row(vanishes).size(), rows.size())});
 }
 
-/// Deviations of several identities against rounding; one that is missing, or NaN, does not hold.
-void claim_identity(Findings& found, std::string_view id, std::initializer_list<std::string_view> names,
-                    std::string evidence) {
+/// Whether these identities hold to rounding; one that is missing, or NaN, does not.
+study::Tally identities(const Findings& found, const std::vector<std::string_view>& names) {
   constexpr double rounding = 1e-12;
-  double worst = 0.0;
-  for (const std::string_view name : names) {
-    const double largest = deviation_of(found, name);
-    worst = std::isnan(largest) ? INFINITY : std::max(worst, largest);
-  }
-  found.claim(id, worst <= rounding ? "reproduced" : "contradicted", fmt::format("largest deviation {:.2g}", worst),
-              std::move(evidence));
+  study::Tally tally;
+  for (const std::string_view name : names) tally.add(deviation_of(found, name) <= rounding);
+  return tally;
+}
+
+void claim_identity(Findings& found, std::string_view id, const std::vector<std::string_view>& names,
+                    std::string evidence) {
+  std::vector<double> deviations;
+  for (const std::string_view name : names) deviations.push_back(deviation_of(found, name));
+  found.judge(id, identities(found, names),
+              {fmt::format("largest deviation {:.2g}", fmt::join(deviations, ", ")), std::move(evidence)});
 }
 
 void claim_corrected(Findings& found, std::string_view id, std::string_view printed, std::string_view corrected) {
-  claim_identity(
-      found, id, {printed},
-      fmt::format("Random control points or areas. With the correction the largest deviation is {:.2g} ({}).",
-                  deviation_of(found, corrected), corrected));
+  found.judge_formula(id, identities(found, {printed}), identities(found, {corrected}),
+                      {fmt::format("largest deviation {:.2g}, corrected {:.2g}", deviation_of(found, printed),
+                                   deviation_of(found, corrected)),
+                       fmt::format("Random control points or areas. The correction: {}.", corrected)});
 }
 
 /// Eq. (43) against the rows that the paper prints.
@@ -262,9 +264,9 @@ void claim_triangle(Findings& found) {
     const std::vector<double> ours = found.rows().where({degree_key(n + 1)}).values(coefficient);
     equal.add(fmt::format("{:.0f}", fmt::join(ours, " ")) == table->rows[n].back());
   }
-  found.claim("blending-triangle", equal.misses() == 0.0 ? "reproduced" : "contradicted",
-              fmt::format("{:.0f} of {:.0f} rows equal", equal.agree, equal.cases),
-              "From the powers of u + v + w with v^2 = 2uw.");
+  found.judge("blending-triangle", equal,
+              {fmt::format("{:.0f} of {:.0f} rows equal", equal.agree, equal.cases),
+               "From the powers of u + v + w with v^2 = 2uw."});
 }
 
 void conclude(Findings& found) {

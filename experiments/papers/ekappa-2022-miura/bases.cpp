@@ -278,15 +278,15 @@ void claim_rounder(Findings& found) {
                                   of(found, trigonometric(trigonometric_shapes[k])).median(peak_over_mean),
                                   of(found, bernstein(counterpart(k))).median(peak_over_mean), counterpart(k).words));
   }
-  found.claim(
-      "trigonometric-rounder", peak.in_general(),
-      fmt::format("smaller peak over mean |κ| on {} curves; medians {}", peak.words(), fmt::join(medians, ", ")),
-      fmt::format("Curves of up to 100 points of all drawings at a = 0.75 and 0.9, same points and same a. Total "
-                  "variation of κ is smaller on {}, and the curve is farther from the polygon on {}. What is "
-                  "rounder is the trigonometric curve with a smaller a: against the κ-curve, its peak over mean "
-                  "is smaller on {} curves at a = 0.55 and {} at 0.6.",
-                  varies.words(), polygon.words(), less(found, peak_over_mean, 0).words(),
-                  less(found, peak_over_mean, 1).words()));
+  found.judge(
+      "trigonometric-rounder", peak,
+      {fmt::format("smaller peak over mean |κ| on {} curves; medians {}", peak.words(), fmt::join(medians, ", ")),
+       fmt::format("Curves of up to 100 points of all drawings at a = 0.75 and 0.9, same points and same a. Total "
+                   "variation of κ is smaller on {}, and the curve is farther from the polygon on {}. What is "
+                   "rounder is the trigonometric curve with a smaller a: against the κ-curve, its peak over mean "
+                   "is smaller on {} curves at a = 0.55 and {} at 0.6.",
+                   varies.words(), polygon.words(), less(found, peak_over_mean, 0).words(),
+                   less(found, peak_over_mean, 1).words())});
 }
 
 /// The claim has two parts; it holds as far as the weaker one does.
@@ -298,22 +298,21 @@ void claim_approach(Findings& found) {
     polygon += smaller(found, to_polygon, spline(bernstein(now)), spline(bernstein(before)));
     polygon += smaller(found, to_polygon, spline(trigonometric(now)), spline(trigonometric(before)));
   }
-  const bool between_is_weaker = between.agree * polygon.cases < polygon.agree * between.cases;
   const Shape &from = bernstein_shapes[1], &to = bernstein_shapes.back();
   const auto medians = [&](const Quantity& what, const KeyIs& at_from, const KeyIs& at_to) {
     return fmt::format("{:.3g} at a = {} and {:.3g} at {}", found.rows().where({at_from}).median(what), from.words,
                        found.rows().where({at_to}).median(what), to.words);
   };
-  found.claim(
-      "bases-approach", between_is_weaker ? between.in_general() : polygon.in_general(),
-      fmt::format("median distance between the families {}; to the polygon {} (Bernstein), {} (trigonometric)",
-                  medians(apart, shape_key(from.words), shape_key(to.words)),
-                  medians(to_polygon, spline(bernstein(from)), spline(bernstein(to))),
-                  medians(to_polygon, spline(trigonometric(from)), spline(trigonometric(to)))),
-      fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of up to 100 points of all drawings, distances over "
-                  "the mean chord: the distance between the families shrinks in {} steps, that to the polygon "
-                  "in {}. The verdict is that of the weaker part.",
-                  between.words(), polygon.words()));
+  found.judge(
+      "bases-approach", weaker(between, polygon),
+      {fmt::format("median distance between the families {}; to the polygon {} (Bernstein), {} (trigonometric)",
+                   medians(apart, shape_key(from.words), shape_key(to.words)),
+                   medians(to_polygon, spline(bernstein(from)), spline(bernstein(to))),
+                   medians(to_polygon, spline(trigonometric(from)), spline(trigonometric(to)))),
+       fmt::format("Steps 0.75 to 0.9 to 0.99 on every curve of up to 100 points of all drawings, distances over "
+                   "the mean chord: the distance between the families shrinks in {} steps, that to the polygon "
+                   "in {}. The verdict is that of the weaker part.",
+                   between.words(), polygon.words())});
 }
 
 void conclude(Findings& found) {

@@ -216,35 +216,35 @@ bool beyond_rounding(double distance) { return !(distance <= 1e-9); }
 void claim_interpolation(Findings& found) {
   const std::vector<double> errors = found.rows().values(interpolation);
   const Tally missed = study::tally_of(errors, beyond_rounding);
-  found.claim(
-      "interpolates-points", study::verdict_for_all(missed.agree, missed.cases),
-      fmt::format("largest distance {:.2g} of the mean chord", largest(errors)),
-      fmt::format("{:.0f} solved curves (of {}) of all drawings at a = 2/3, 0.75, 0.85 and 0.95 with {:.0f} "
-                  "points in all; {:.0f} curves miss a point by more than 1e-9 of the mean chord.",
-                  missed.cases, found.rows().values(solved).size(), found.rows().total(input_points), missed.agree));
+  found.judge(
+      "interpolates-points", study::all_but(missed.agree, missed.cases),
+      {fmt::format("largest distance {:.2g} of the mean chord", largest(errors)),
+       fmt::format("{:.0f} solved curves (of {}) of all drawings at a = 2/3, 0.75, 0.85 and 0.95 with {:.0f} "
+                   "points in all; {:.0f} curves miss a point by more than 1e-9 of the mean chord.",
+                   missed.cases, found.rows().values(solved).size(), found.rows().total(input_points), missed.agree)});
 }
 
 void claim_identity(Findings& found) {
   const std::vector<double> deviations = found.rows().values(from_kappa);
   const Tally apart = study::tally_of(deviations, beyond_rounding);
   const double by_one = found.rows().total(solved_by_one);
-  found.claim(
-      "quadratic-at-two-thirds", study::verdict_for_all(apart.agree + by_one, apart.cases),
-      fmt::format("largest deviation {:.2g} of the mean chord", largest(deviations)),
-      fmt::format("`kappa` (quadratic segments) against `ekappa` with a = 2/3 (cubic segments) on {:.0f} curves "
-                  "of all drawings that both solve; {:.0f} differ by more than 1e-9, {:.0f} are solved by one "
-                  "only. Both use the same solver, so this tests the segments and the equation for t.",
-                  apart.cases, apart.agree, by_one));
+  found.judge(
+      "quadratic-at-two-thirds", study::all_but(apart.agree + by_one, apart.cases + by_one),
+      {fmt::format("largest deviation {:.2g} of the mean chord", largest(deviations)),
+       fmt::format("`kappa` (quadratic segments) against `ekappa` with a = 2/3 (cubic segments) on {:.0f} curves "
+                   "of all drawings that both solve; {:.0f} differ by more than 1e-9, {:.0f} are solved by one "
+                   "only. Both use the same solver, so this tests the segments and the equation for t.",
+                   apart.cases, apart.agree, by_one)});
 }
 
 void claim_maxima(Findings& found) {
   const Tally more = study::tally_of(found.rows().values(more_maxima));
-  found.claim("one-maximum-per-segment", study::verdict_for_all(more.agree, more.cases),
-              fmt::format("{:.0f} of {:.0f} segments have more than one", more.agree, more.cases),
-              fmt::format("Extrema of κ isolated exactly in every segment of all drawings at a = 2/3, 0.75, 0.85 and "
-                          "0.95; {:.0f} segments could not be certified. This is a test on {:.0f} segments, not a "
-                          "proof.",
-                          found.rows().total(not_certified), more.cases));
+  found.judge("one-maximum-per-segment", study::all_but(more.agree, more.cases),
+              {fmt::format("{:.0f} of {:.0f} segments have more than one", more.agree, more.cases),
+               fmt::format("Extrema of κ isolated exactly in every segment of all drawings at a = 2/3, 0.75, 0.85 and "
+                           "0.95; {:.0f} segments could not be certified. This is a test on {:.0f} segments, not a "
+                           "proof.",
+                           found.rows().total(not_certified), more.cases)});
 }
 
 void claim_growth(Findings& found) {
@@ -262,20 +262,19 @@ void claim_growth(Findings& found) {
     const Tally joints = grows(found, at_joint, k);
     flatter += {joints.misses(), joints.cases};
   }
-  const bool points_are_weaker = sharper.agree * flatter.cases < flatter.agree * sharper.cases;
   const Rows first = found.rows().where({shape_key(figure_shapes.front().words)});
   const Rows last = found.rows().where({shape_key(figure_shapes.back().words)});
-  found.claim(
-      "raising-a-sharpens-globally", points_are_weaker ? sharper.in_general() : flatter.in_general(),
-      fmt::format("|κ| grows at the points in {} steps and falls at the joints in {}", sharper.words(),
-                  flatter.words()),
-      fmt::format("All drawings, steps 2/3, 0.75, 0.85, 0.95; joints stand for what lies between the points. "
-                  "Median |κ| times the mean chord at points {:.3g} at 2/3 and {:.3g} at 0.95, at joints {:.3g} "
-                  "and {:.3g}. Of the {:.0f} steps in which a point does not gain, {:.0f} start with the point "
-                  "pinned and {:.0f} with |κ| above {:g} over the mean chord, nearly a cusp. The verdict is "
-                  "that of the weaker part.",
-                  first.median(at_point), last.median(at_point), first.median(at_joint), last.median(at_joint),
-                  sharper.misses(), was_pinned, was_cusped, nearly_cusped));
+  found.judge(
+      "raising-a-sharpens-globally", weaker(sharper, flatter),
+      {fmt::format("|κ| grows at the points in {} steps and falls at the joints in {}", sharper.words(),
+                   flatter.words()),
+       fmt::format("All drawings, steps 2/3, 0.75, 0.85, 0.95; joints stand for what lies between the points. "
+                   "Median |κ| times the mean chord at points {:.3g} at 2/3 and {:.3g} at 0.95, at joints {:.3g} "
+                   "and {:.3g}. Of the {:.0f} steps in which a point does not gain, {:.0f} start with the point "
+                   "pinned and {:.0f} with |κ| above {:g} over the mean chord, nearly a cusp. The verdict is "
+                   "that of the weaker part.",
+                   first.median(at_point), last.median(at_point), first.median(at_joint), last.median(at_joint),
+                   sharper.misses(), was_pinned, was_cusped, nearly_cusped)});
 }
 
 void conclude(Findings& found) {

@@ -276,12 +276,13 @@ void claim_shrinking(Findings& found, std::string_view id, const Quantity& what)
     steps += falls(found.rows(), what, k);
     medians.push_back(fmt::format("{:.3g} at {}", median(ratios(found.rows(), k)), figure_shapes[k].words));
   }
-  found.claim(id, steps.in_general(),
-              fmt::format("smaller in {} steps; median ratio to a = 2/3: {}", steps.words(), fmt::join(medians, ", ")),
-              fmt::format("{:.0f} joints of all drawings that are inflections at a = 2/3, 0.75, 0.85 and 0.95, three "
-                          "steps each; in {:.0f} steps it grows. {:.0f} joints are inflections at some a only and left "
-                          "out. The magnitudes agree on both sides, so the jump is twice |κ|.",
-                          steps.cases / 3.0, steps.cases - steps.agree, found.rows().total(at_some_a_only)));
+  found.judge(
+      id, steps,
+      {fmt::format("smaller in {} steps; median ratio to a = 2/3: {}", steps.words(), fmt::join(medians, ", ")),
+       fmt::format("{:.0f} joints of all drawings that are inflections at a = 2/3, 0.75, 0.85 and 0.95, three "
+                   "steps each; in {:.0f} steps it grows. {:.0f} joints are inflections at some a only and left "
+                   "out. The magnitudes agree on both sides, so the jump is twice |κ|.",
+                   steps.cases / 3.0, steps.cases - steps.agree, found.rows().total(at_some_a_only))});
 }
 
 void claim_continuity(Findings& found) {
@@ -291,16 +292,17 @@ void claim_continuity(Findings& found) {
   const Rows misses =
       found.rows().where_row([](const study::Row& row) { return row.has(missed) && row[missed] > 0.0; });
   const std::vector<std::string> where = misses.words_of(study::key::dataset);
-  found.claim(
-      "g2-except-inflections", kept.in_general(), kept.words() + " joints",
-      fmt::format("{} joints elsewhere: largest relative jump of curvature {:.2g}, largest angle {:.2g} rad; "
-                  "{} joints at inflections: largest angle {:.2g} rad, |κ| agrees to {:.2g} but has opposite "
-                  "signs. A miss is what rounding of the control points does not explain "
-                  "(metrics/README.md, continuity){}{}. {:.0f} of {} fits are left out: no solution found or input "
-                  "that a scheme cannot take.",
-                  others.size(), others.largest(jump), others.largest(angle), inflections.size(),
-                  inflections.largest(angle), inflections.largest(jump), where.empty() ? "" : "; the misses are in ",
-                  fmt::join(where, ", "), found.rows().total(unsolved), found.rows().values(unsolved).size()));
+  found.judge(
+      "g2-except-inflections", kept,
+      {kept.words() + " joints",
+       fmt::format("{} joints elsewhere: largest relative jump of curvature {:.2g}, largest angle {:.2g} rad; "
+                   "{} joints at inflections: largest angle {:.2g} rad, |κ| agrees to {:.2g} but has opposite "
+                   "signs. A miss is what rounding of the control points does not explain "
+                   "(metrics/README.md, continuity){}{}. {:.0f} of {} fits are left out: no solution found or input "
+                   "that a scheme cannot take.",
+                   others.size(), others.largest(jump), others.largest(angle), inflections.size(),
+                   inflections.largest(angle), inflections.largest(jump), where.empty() ? "" : "; the misses are in ",
+                   fmt::join(where, ", "), found.rows().total(unsolved), found.rows().values(unsolved).size())});
 }
 
 void conclude(Findings& found) {

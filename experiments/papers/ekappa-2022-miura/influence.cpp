@@ -161,13 +161,13 @@ void claim_influence(Findings& found) {
                                  decay(found, raising, shape), shape.words));
   }
   const Tally quiet{far.misses(), far.cases};
-  found.claim("local-influence", quiet.in_general(),
-              fmt::format("median influence falls per span by a factor of (point moved, one a changed) {}",
-                          fmt::join(decays, ", ")),
-              fmt::format("Points moved by 5 % of the mean chord on curves of 8 to 100 points of all drawings: in "
-                          "{} of the spans that are four to eight spans away the curve moves by at most 1 % of the "
-                          "displacement. It is never strictly local: the equations couple all points.",
-                          quiet.words()));
+  found.judge("local-influence", quiet,
+              {fmt::format("median influence falls per span by a factor of (point moved, one a changed) {}",
+                           fmt::join(decays, ", ")),
+               fmt::format("Points moved by 5 % of the mean chord on curves of 8 to 100 points of all drawings: in "
+                           "{} of the spans that are four to eight spans away the curve moves by at most 1 % of the "
+                           "displacement. It is never strictly local: the equations couple all points.",
+                           quiet.words())});
 }
 
 }  // namespace kappabench::miura

@@ -174,11 +174,12 @@ void claim_raising(Findings& found) {
   };
   const Tally all = study::tally_of(found.rows().values(ratio), rises);
   const Tally failed = study::tally_of(found.rows().values(unsolved));
-  found.claim("raising-a-sharpens-locally", all.in_general(), fmt::format("|κ| rises at {} raised points", all.words()),
-              fmt::format("a from 2/3 to 0.85 at one, two or three points, up to four choices on every curve of all "
-                          "drawings: {} where the κ-curve peaks inside the segment, {} where the point is pinned. "
-                          "{:.0f} of {:.0f} fits had no solution.",
-                          of(inside).words(), of(pinned).words(), failed.agree, failed.cases));
+  found.judge("raising-a-sharpens-locally", all,
+              {fmt::format("|κ| rises at {} raised points", all.words()),
+               fmt::format("a from 2/3 to 0.85 at one, two or three points, up to four choices on every curve of all "
+                           "drawings: {} where the κ-curve peaks inside the segment, {} where the point is pinned. "
+                           "{:.0f} of {:.0f} fits had no solution.",
+                           of(inside).words(), of(pinned).words(), failed.agree, failed.cases)});
 }
 
 /// The bird's outline, drawn with this label; null without it.
@@ -211,14 +212,14 @@ void claim_wing_tips(Findings& found) {
   };
   Tally all = tips;
   all += rest;
-  found.claim(
-      "wing-tips", all.in_general(),
-      fmt::format("a = 0.95 at the tips against everywhere else: sharper at {:.0f} of {:.0f} tips, blunter at {} "
-                  "other points",
-                  tips.agree, tips.cases, rest.words()),
-      fmt::format("|κ| at the wing tips of our bird, per drawing unit: {} in the κ-curve, {} with a = 0.95 "
-                  "there, {} reversed.",
-                  at_tips(kappa_label), at_tips(tips_label), at_tips(rest_label)));
+  found.judge(
+      "wing-tips", all,
+      {fmt::format("a = 0.95 at the tips against everywhere else: sharper at {:.0f} of {:.0f} tips, blunter at {} "
+                   "other points",
+                   tips.agree, tips.cases, rest.words()),
+       fmt::format("|κ| at the wing tips of our bird, per drawing unit: {} in the κ-curve, {} with a = 0.95 "
+                   "there, {} reversed.",
+                   at_tips(kappa_label), at_tips(tips_label), at_tips(rest_label))});
 }
 
 void conclude(Findings& found) {

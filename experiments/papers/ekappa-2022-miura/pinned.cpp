@@ -97,16 +97,16 @@ void claim_peaks(Findings& found) {
     for (const Swept& s : swept) total += s[what];
     return total;
   };
-  if (sum(points) == 0.0) return;
+  if (swept.empty()) return;
   const auto [least, most] = std::ranges::minmax(swept, {}, &Swept::a);
-  const bool holds = sum(pinned) + sum(at_inflection) == 0.0 && sum(peaks) == sum(points);
-  found.claim(
-      "extremum-at-points", holds ? "reproduced" : "contradicted",
-      fmt::format("{:.0f} of {:.0f} points have a peak inside their segment", sum(peaks), sum(points)),
-      fmt::format("{:.0f} converged curves with {:.3g} <= a <= {:.3g}: {:.0f} points are pinned (the joint sits "
-                  "on the point) and {:.0f} are at an inflection; together {}.",
-                  sum(converged), least.a, most.a, sum(pinned), sum(at_inflection),
-                  shares_by_a(swept, [](const Swept& s) { return s[pinned] + s[at_inflection]; })));
+  found.judge(
+      "extremum-at-points",
+      study::Tally{std::min(sum(peaks), sum(points) - sum(pinned) - sum(at_inflection)), sum(points)},
+      {fmt::format("{:.0f} of {:.0f} points have a peak inside their segment", sum(peaks), sum(points)),
+       fmt::format("{:.0f} converged curves with {:.3g} <= a <= {:.3g}: {:.0f} points are pinned (the joint sits "
+                   "on the point) and {:.0f} are at an inflection; together {}.",
+                   sum(converged), least.a, most.a, sum(pinned), sum(at_inflection),
+                   shares_by_a(swept, [](const Swept& s) { return s[pinned] + s[at_inflection]; }))});
 }
 
 void conclude(Findings& found) {

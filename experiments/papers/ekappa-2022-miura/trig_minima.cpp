@@ -43,14 +43,13 @@ Table minima_table(const Findings& found) {
 void claim_maximum(Findings& found) {
   const study::Rows& rows = found.rows();
   const double all = rows.total(points), maxima = rows.total(peaks);
-  if (all == 0.0) return;
-  found.claim("trigonometric-local-maximum", maxima == all ? "reproduced" : "contradicted",
-              fmt::format("|curvature| has a maximum at {:.0f} and a minimum at {:.0f} of {:.0f} points", maxima,
-                          rows.total(valleys), all),
-              fmt::format("Minima, measured by slopes: {}. The scheme itself reports {:.0f} minima and {:.0f} pinned "
-                          "points.",
-                          shares_by_a(sweeps(found), [](const Swept& s) { return s[valleys]; }), rows.total(minima),
-                          rows.total(pinned)));
+  found.judge("trigonometric-local-maximum", study::Tally{maxima, all},
+              {fmt::format("|curvature| has a maximum at {:.0f} and a minimum at {:.0f} of {:.0f} points", maxima,
+                           rows.total(valleys), all),
+               fmt::format("Minima, measured by slopes: {}. The scheme itself reports {:.0f} minima and {:.0f} pinned "
+                           "points.",
+                           shares_by_a(sweeps(found), [](const Swept& s) { return s[valleys]; }), rows.total(minima),
+                           rows.total(pinned))});
 }
 
 void conclude(Findings& found) {

@@ -104,28 +104,31 @@ store::FigureRecord figure(const Findings& found) {
 void claim_features(Findings& found) {
   const study::Rows& rows = found.rows();
   const study::Tally fits = study::tally_of(rows.values(solved));
+  const double unsolved = fits.misses();  // each is a miss of every claim
   const std::string evidence = fmt::format(
-      "{:.0f} random typed inputs; {:.0f} were not solved and are left out. {:.0f} segments could not be searched "
+      "{:.0f} random typed inputs, {:.0f} of them not solved: one miss each. {:.0f} segments could not be searched "
       "completely.",
-      fits.cases, fits.misses(), rows.total(uncertified));
-  const study::Tally kept{rows.total(typed) - rows.total(missing), rows.total(typed)};
-  found.claim(
-      "points-have-their-type", kept.always(), kept.words() + " points of type cusp, loop or inflection are one",
-      fmt::format("{} A cusp is a place where the speed falls below 1e-8 of its mean. {:.0f} loops are too thin "
-                  "to be seen crossing themselves; the exact discriminant says that they do.",
-                  evidence, rows.total(thin)));
+      fits.cases, unsolved, rows.total(uncertified));
+  const study::Tally kept = study::all_but(rows.total(missing) + unsolved, rows.total(typed) + unsolved);
+  found.judge(
+      "points-have-their-type", kept,
+      {kept.words() + " points of type cusp, loop or inflection are one",
+       fmt::format("{} A cusp is a place where the speed falls below 1e-8 of its mean. {:.0f} loops are too thin to be "
+                   "seen crossing themselves; the exact discriminant says that they do.",
+                   evidence, rows.total(thin))});
 
   const study::Rows inflections = rows.where({feature("inflections")});
   const auto cusps_and_loops =
       rows.where_row([](const study::Row& row) { return row.has(inside) && !row.has(feature("inflections")); });
   const double wrong = cusps_and_loops.total(misplaced), all = cusps_and_loops.total(inside);
-  found.claim("cusps-and-loops-at-points", study::verdict_for_all(wrong + rows.total(uncertified), all),
-              fmt::format("{:.0f} of {:.0f} elsewhere", wrong, all), evidence);
-  found.claim("inflections-at-points-or-joints",
-              study::verdict_for_all(inflections.total(misplaced), inflections.total(inside)),
-              fmt::format("{:.0f} of {:.0f} inside a segment elsewhere", inflections.total(misplaced),
-                          inflections.total(inside)),
-              evidence);
+  found.judge("cusps-and-loops-at-points",
+              study::all_but(wrong + rows.total(uncertified) + unsolved, all + rows.total(uncertified) + unsolved),
+              {fmt::format("{:.0f} of {:.0f} elsewhere", wrong, all), evidence});
+  found.judge("inflections-at-points-or-joints",
+              study::all_but(inflections.total(misplaced) + unsolved, inflections.total(inside) + unsolved),
+              {fmt::format("{:.0f} of {:.0f} inside a segment elsewhere", inflections.total(misplaced),
+                           inflections.total(inside)),
+               evidence});
 }
 
 void conclude(Findings& found) {

@@ -14,7 +14,7 @@ namespace kappabench {
 namespace {
 
 using namespace chen;
-using study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Table;
+using study::count_of, study::Findings, study::Key, study::Notes, study::Panel, study::Quantity, study::Table;
 
 constexpr std::string_view about =
     "Two loops, made in four ways. The C2 cubic spline, the kappa-curve and the FPC-curve of regular points pass six "
@@ -33,7 +33,8 @@ constexpr std::array shown{spline, regular, kappa_curve, typed};
 constexpr std::array point_counts{3, 4, 5, 6};
 constexpr int tries = 400;
 const Key ends{"ends"}, points{"points"};
-const Quantity solved = study::count_of("solved"), most_loops{"most loops", "1", Method::sampled};
+const Quantity tried = count_of("tried"), solved = count_of("solved");
+const Quantity most_loops{"most loops", "1", Method::sampled}, two_loops{"with two loops", "1", Method::sampled};
 
 Input points_in_a_square(RandomSource& random, int n, bool closed) {
   Input input{.closed = closed};
@@ -49,14 +50,17 @@ void search(const Uses& uses, Notes& notes) {
   for (const int n : point_counts) {
     RandomSource random(static_cast<std::uint64_t>(n));
     for (const bool closed : {false, true}) {
-      std::size_t count = 0, most = 0;
+      std::size_t count = 0, most = 0, with_two = 0;
       for (int i = 0; i < tries; ++i) {
         const Fit fit = uses.schemes.front()->fit(points_in_a_square(random, n, closed));
         if (!study::solved(fit)) continue;
         ++count;
-        most = std::max(most, self_intersections(*fit.curve).found.size());
+        const std::size_t loops = self_intersections(*fit.curve).found.size();
+        most = std::max(most, loops);
+        with_two += loops >= 2 ? 1U : 0U;
       }
-      notes.row({ends(closed ? "closed" : "open"), points(n)}, {solved(count), most_loops(most)});
+      notes.row({ends(closed ? "closed" : "open"), points(n)},
+                {tried(tries), solved(count), most_loops(most), two_loops(with_two)});
     }
   }
 }
@@ -66,6 +70,7 @@ std::vector<CellJob> jobs(const Context& context) {
   jobs.reserve(shown.size() + 1);
   for (const LoopCase& which : shown) jobs.push_back(loops_job(context, which));
   jobs.push_back(study::numbers_job<search>({.work = "loops of random points",
+                                             .version = 2,
                                              .schemes = {context.registry.create("kappa")},
                                              .metrics = {&find_metric("features")},
                                              .numbers = {{"tries", tries}}},
@@ -122,30 +127,32 @@ store::FigureRecord figure(const Findings& found) {
 
 void claim_typed(Findings& found) {
   const Loops loops = loops_of(found, typed);
-  found.claim(
+  found.judge(
       "three-points-two-loops",
-      study::verdict_for_one(loops.drawn(), loops.loops == 2.0 && loops.at_points == 2.0 && loops.points <= 5.0),
-      fmt::format("{:.0f} points with both ends: {:.0f} loops, {:.0f} of them at a point", loops.points, loops.loops,
-                  loops.at_points),
-      "The drawing loops-typed; loops are crossings of the exact curve, at a point if within 1e-6 mean chord.");
+      study::one_case(loops.drawn(), loops.loops == 2.0 && loops.at_points == 2.0 && loops.points <= 5.0),
+      {fmt::format("{:.0f} points with both ends: {:.0f} loops, {:.0f} of them at a point", loops.points, loops.loops,
+                   loops.at_points),
+       "The drawing loops-typed; loops are crossings of the exact curve, at a point if within 1e-6 mean chord."});
 }
 
 void claim_spline(Findings& found) {
   const Loops loops = loops_of(found, spline);
-  found.claim("spline-loops-away", study::verdict_for_one(loops.loops > 0.0, loops.loops > loops.at_points),
-              fmt::format("{:.0f} loops, {:.0f} of them at a point", loops.loops, loops.at_points),
-              "The natural C2 cubic spline with chord-length parameters through the six points of loops-regular.");
+  found.judge("spline-loops-away", study::one_case(loops.drawn(), loops.loops > loops.at_points),
+              {fmt::format("{:.0f} loops, {:.0f} of them at a point", loops.loops, loops.at_points),
+               "The natural C2 cubic spline with chord-length parameters through the six points of loops-regular."});
 }
 
 void claim_kappa(Findings& found) {
-  const int open = fewest(found, "open"), closed = fewest(found, "closed");
-  const bool too_few = (open > 0 && open < 5) || (closed > 0 && closed < 5);
+  const study::Rows fewer = found.rows().where_row(
+      [](const study::Row& row) { return row.has(two_loops) && std::get<double>(row[points]) < 5.0; });
+  const study::Tally without{fewer.total(solved) - fewer.total(two_loops), fewer.total(tried)};
   const auto words = [](int n) { return n == 0 ? "more" : std::to_string(n); };
-  found.claim("kappa-needs-five", study::verdict_for_one(open > 0 || closed > 0, !too_few),
-              fmt::format("two loops from {} points open and {} closed", words(open), words(closed)),
-              fmt::format("Solved κ-curves through 3 to 6 random points in a square, {:.0f} in all; the ends of an "
-                          "open curve are counted as points.",
-                          found.rows().total(solved)));
+  found.judge(
+      "kappa-needs-five", without,
+      {fmt::format("{} κ-curves through fewer than five points have fewer than two loops", without.words()),
+       fmt::format("Random points in a square, the ends of an open curve counted as points. Two loops are found "
+                   "from {} points open and {} closed on, among {} tries each.",
+                   words(fewest(found, "open")), words(fewest(found, "closed")), tries)});
 }
 
 void conclude(Findings& found) {

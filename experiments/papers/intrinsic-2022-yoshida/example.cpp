@@ -203,15 +203,29 @@ Table angle_table(const Findings& found) {
   return table;
 }
 
-constexpr double rounding = 1e-13;
+/// How often a formula agrees with quadrature.
+study::Tally agree(const Findings& found, const Quantity& off) {
+  constexpr double rounding = 1e-13;
+  return study::tally_of(found.rows().values(off), [](double d) { return d <= rounding; });
+}
 
-void claim_formula(Findings& found, std::string_view id, const Quantity& off, std::string evidence) {
-  study::Tally tally;
-  for (const double d : found.rows().values(off)) tally.add(d <= rounding);
-  found.claim(id, tally.always(),
-              fmt::format("{} agree with quadrature; largest difference {:.2g} of the largest curvature times length",
-                          tally.words(), found.rows().largest(off)),
-              std::move(evidence));
+std::string words_of(const Findings& found, const Quantity& off) {
+  return fmt::format("{} agree with quadrature; largest difference {:.2g} of the largest curvature times length",
+                     agree(found, off).words(), found.rows().largest(off));
+}
+
+void claim_formulas(Findings& found) {
+  found.judge("integral-of-bezier-segments", agree(found, whole_off),
+              {words_of(found, whole_off),
+               fmt::format("{} random splines of degree 1 to 5 on equal knots, by Gauss quadrature of de Boor's "
+                           "recurrence.",
+                           random_splines)});
+  // Eq. (7) counts its controls from 0 and sums them from 1.
+  found.judge_formula("angle-in-closed-form", agree(found, printed_off), agree(found, corrected_off),
+                      {words_of(found, printed_off),
+                       "At random arc lengths. Corrected, with all n + 1 coefficients and the widths of the original "
+                       "parameter times the whole length: " +
+                           words_of(found, corrected_off) + "."});
 }
 
 store::FigureRecord figure(const Findings& found) {
@@ -235,14 +249,7 @@ void conclude(Findings& found) {
   found.add(bezier_table(found));
   found.add(angle_table(found));
   found.add(figure(found));
-  claim_formula(found, "integral-of-bezier-segments", whole_off,
-                fmt::format("{} random splines of degree 1 to 5 on equal knots, by Gauss quadrature of de Boor's "
-                            "recurrence.",
-                            random_splines));
-  claim_formula(found, "angle-in-closed-form", printed_off,
-                fmt::format("As printed, at random arc lengths. With all n + 1 coefficients and the widths of the "
-                            "original parameter times the whole length the largest difference is {:.2g}.",
-                            found.rows().largest(corrected_off)));
+  claim_formulas(found);
 }
 
 }  // namespace

@@ -249,40 +249,30 @@ Table residual_table(const Findings& found) {
 }
 
 void claim_interactive(Findings& found) {
-  constexpr double frame = 1000.0 / 60.0;
-  study::Tally fast;
-  double slowest = 0.0;
-  for (const Row& row : timed_rows(found)) {
-    const double worst = 1e3 * largest(samples(found, row, each_condition));
-    fast.add(worst <= frame);
-    slowest = std::max(slowest, worst);
-  }
-  found.claim("interactive", fast.always(),
-              fmt::format("at most {:.3g} ms for any condition by the published method", slowest),
-              fmt::format("Solved by simplex and evaluated at {} points, {} conditions in each of {:.0f} rows; "
-                          "interactive is taken as one sixtieth of a second.",
-                          points, samples(found, printed.front(), each_condition).size(), fast.cases));
+  std::vector<double> all;
+  for (const Row& row : timed_rows(found))
+    for (const double seconds : samples(found, row, each_condition)) all.push_back(1e3 * seconds);
+  const double fastest = all.empty() ? undefined : *std::ranges::min_element(all), slowest = largest(all);
+  found.judge(
+      "interactive", study::Interval{fastest, slowest},
+      {fmt::format("at most {:.3g} ms for any condition by the published method", slowest),
+       fmt::format("Solved by simplex and evaluated at {} points, {} conditions in all rows of Table 1, on this "
+                   "machine. The bound, a frame, is 28 times the longest printed time.",
+                   points, all.size())});
 }
 
+/// Controls and degrees cost what the quadrature makes of them, and the paper does not name the one of GSL that it
+/// used.
 void claim_growth(Findings& found) {
-  std::vector<double> times;
-  for (const Row& row : timed_rows(found)) times.push_back(milliseconds(found, row, simplex_points));
-  // Less than a tenth is within what load does to medians.
-  bool grows = true;
-  for (std::size_t i = 1; i < times.size(); ++i) grows = grows && times[i] > 1.1 * times[i - 1];
   std::vector<std::string> words;
-  words.reserve(times.size());
-  for (const double t : times) words.push_back(fmt::format("{:.3g}", t));
-  const bool falls = times.size() > 1 && times.back() < times.front();
-  found.claim(
+  for (const Row& row : timed_rows(found))
+    words.push_back(fmt::format("{:.3g}", milliseconds(found, row, simplex_points)));
+  found.undecidable(
       "time-grows",
-      times.size() < 2 ? "not reproduced"
-      : grows          ? "reproduced"
-      : falls          ? "contradicted"
-                       : "not reproduced",
-      times.empty() ? "nothing timed" : fmt::format("{} ms", fmt::join(words, ", ")),
-      "Simplex and points, medians, rows in the order of Table 1; a row counts as slower than the one before "
-      "from a tenth on. Degrees 1 to 3 with one knot span have equal quadratures here; more spans have more nodes.");
+      {words.empty() ? "nothing timed" : fmt::format("{} ms", fmt::join(words, ", ")),
+       "Simplex and points, medians, rows in the order of Table 1. The quadrature decides, which is not "
+       "printed: ours has as many nodes for every degree, so that the first three rows, of one knot span, "
+       "cost the same, and more for more spans."});
 }
 
 store::FigureRecord figure() {

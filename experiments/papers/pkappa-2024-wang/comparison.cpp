@@ -201,9 +201,10 @@ std::string totals(const Findings& found, std::initializer_list<std::string_view
 /// κ-curves jump, and only where curvature changes sign.
 void claim_jumps(Findings& found) {
   const Tally there{.agree = total(found, "kappa", sign_jumps), .cases = total(found, "kappa", jumps)};
-  found.claim("kappa-jumps-at-inflections", there.always(),
-              fmt::format("{:.0f} jumps, {:.0f} of them at inflections", there.cases, there.agree),
-              fmt::format("{:.0f} joints of the kappa-curves through the four inputs.", total(found, "kappa", joints)));
+  found.judge(
+      "kappa-jumps-at-inflections", there,
+      {fmt::format("{:.0f} jumps, {:.0f} of them at inflections", there.cases, there.agree),
+       fmt::format("{:.0f} joints of the kappa-curves through the four inputs.", total(found, "kappa", joints))});
 }
 
 void claim_smooth(Findings& found) {
@@ -212,41 +213,39 @@ void claim_smooth(Findings& found) {
     all_jumps += total(found, scheme, jumps);
     all_joints += total(found, scheme, joints);
   }
-  found.claim("others-do-not-jump", study::verdict_for_all(all_jumps, all_joints),
-              fmt::format("{:.0f} jumps at {:.0f} joints", all_jumps, all_joints),
-              fmt::format("Jumps: {}.", totals(found, {"yuksel", "clothoid3", "pkappa"}, jumps)));
+  found.judge("others-do-not-jump", study::all_but(all_jumps, all_joints),
+              {fmt::format("{:.0f} jumps at {:.0f} joints", all_jumps, all_joints),
+               fmt::format("Jumps: {}.", totals(found, {"yuksel", "clothoid3", "pkappa"}, jumps))});
 }
 
-/// An extremum can be read as any, or as a peak of |kappa|: the weaker verdict of the two readings.
+/// An extremum can be read as any, or as a peak of |kappa|: the reading that agrees less decides.
 void claim_off(Findings& found) {
   const double cases = total(found, "yuksel", points);
   const Tally extrema{.agree = total(found, "yuksel", off_extrema), .cases = cases};
   const Tally peaks{.agree = total(found, "yuksel", off_peaks), .cases = cases};
-  found.claim("yuksel-off-extrema", extrema.often() == peaks.often() ? extrema.often() : "not reproduced",
-              fmt::format("{} points off every extremum, {} off every peak of |kappa|", extrema.words(), peaks.words()),
-              fmt::format("Off: farther than {:g} of the local chord. Where the first reading alone fails, points "
-                          "are at a dip between two peaks. Others off every extremum: {}; off every peak: {}.",
-                          visible_offset, totals(found, {"kappa", "clothoid3", "pkappa"}, off_extrema),
-                          totals(found, {"kappa", "clothoid3", "pkappa"}, off_peaks)));
+  found.judge(
+      "yuksel-off-extrema", weaker(extrema, peaks),
+      {fmt::format("{} points off every extremum, {} off every peak of |kappa|", extrema.words(), peaks.words()),
+       fmt::format("Off: farther than {:g} of the local chord. Where the first reading alone fails, points "
+                   "are at a dip between two peaks. Others off every extremum: {}; off every peak: {}.",
+                   visible_offset, totals(found, {"kappa", "clothoid3", "pkappa"}, off_extrema),
+                   totals(found, {"kappa", "clothoid3", "pkappa"}, off_peaks))});
 }
 
-/// "Multiple" stretches: two at least. None at all is a contradiction.
 void claim_many(Findings& found) {
-  const double many = total(found, "clothoid3", many_intervals), of = total(found, "clothoid3", pieces);
-  found.claim("clothoid3-many-intervals",
-              many >= 2.0               ? "reproduced"
-              : many == 0.0 && of > 0.0 ? "contradicted"
-                                        : "not reproduced",
-              fmt::format("{:.0f} of {:.0f} pieces", many, of),
-              fmt::format("Pieces around points with more than two intervals of monotone curvature: {}.",
-                          totals(found, {"kappa", "yuksel", "clothoid3", "pkappa"}, many_intervals)));
+  const Tally many{.agree = total(found, "clothoid3", many_intervals), .cases = total(found, "clothoid3", pieces)};
+  found.judge("clothoid3-many-intervals", many,
+              {fmt::format("{} pieces", many.words()),
+               fmt::format("Pieces around points with more than two intervals of monotone curvature: {}.",
+                           totals(found, {"kappa", "yuksel", "clothoid3", "pkappa"}, many_intervals))});
 }
 
 void claim_alternating(Findings& found) {
   const double spans = total(found, "clothoid3", alternating);
   const Tally monotone{.agree = spans - total(found, "clothoid3", not_monotone), .cases = spans};
-  found.claim("clothoid3-monotone-if-alternating", monotone.always(), fmt::format("{} spans", monotone.words()),
-              "Spans of the four clothoid curves between points with curvature of opposite signs.");
+  found.judge("clothoid3-monotone-if-alternating", monotone,
+              {fmt::format("{} spans", monotone.words()),
+               "Spans of the four clothoid curves between points with curvature of opposite signs."});
 }
 
 /// Less abrupt: the integral of (d kappa / ds)^2 of the pκ-curve is below that of both others.
@@ -258,15 +257,14 @@ void claim_uniform(Findings& found) {
     const double own = metric(found, fit, column::mvc_energy),
                  k = metric(found, fit.dataset, "kappa", column::mvc_energy),
                  y = metric(found, fit.dataset, "yuksel", column::mvc_energy);
-    if (std::isnan(own) || std::isnan(k) || std::isnan(y)) continue;
     lower.add(own < k && own < y);
     numbers.push_back(fmt::format("{}: {:.3g} against {:.3g} and {:.3g}", fit.dataset, own, k, y));
   }
-  found.claim("pkappa-more-uniform", lower.always(),
-              fmt::format("lower on {:.0f} of {:.0f} inputs", lower.agree, lower.cases),
-              fmt::format("L^3 times the integral of (d kappa / ds)^2, jumps not counted, pkappa against kappa and "
-                          "yuksel. {}.",
-                          fmt::join(numbers, "; ")));
+  found.judge("pkappa-more-uniform", lower,
+              {fmt::format("lower on {:.0f} of {:.0f} inputs", lower.agree, lower.cases),
+               fmt::format("L^3 times the integral of (d kappa / ds)^2, jumps not counted, pkappa against kappa and "
+                           "yuksel. {}.",
+                           fmt::join(numbers, "; "))});
 }
 
 void conclude(Findings& found) {

@@ -238,12 +238,13 @@ Table changes(const Rows& rows) {
 /// The printed algorithm is that of mode=paper; the evidence tells of the robust one.
 void claim_bound(Findings& found, const EditKind& what) {
   const Counts printed(found.rows(), what, as_printed), ours(found.rows(), what, robust);
-  found.claim(
-      what.claim, printed.within.always(),
-      fmt::format("at most {:.0f} segments in {:.0f} edits", printed.most, printed.within.cases),
-      fmt::format("Windows as printed, random curves, bit for bit. With robust windows at most {:.0f}, and above "
-                  "{:.0f} in {:.0f} of {:.0f} edits.",
-                  ours.most, what.bound, ours.within.misses(), ours.within.cases));
+  found.judge(
+      what.claim, printed.within,
+      {fmt::format("at most {:.0f} segments in {:.0f} edits", printed.most, printed.within.cases),
+       fmt::format("Windows as printed, random curves, bit for bit. With robust windows at most {:.0f}, and above "
+                   "{:.0f} in {:.0f} of {:.0f} edits.",
+                   ours.most, what.bound, ours.within.misses(), ours.within.cases),
+       "as printed"});
 }
 
 store::FigureRecord figure(const Findings& found) {

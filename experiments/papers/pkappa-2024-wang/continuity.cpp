@@ -198,9 +198,11 @@ void claim_held(Findings& found) {
       joints += rows_of(found, kind, sort).total(missed);
       curves += rows_of(found, kind, sort).total(was_solved);
     }
-  found.claim("continuity-held", study::verdict_for_all(joints, curves),
-              fmt::format("{:.0f} joints miss their continuity", joints),
-              fmt::format("All joints of {:.0f} random curves: C1, G1, C2 and G2, open and closed.", curves));
+  found.by_construction("continuity-held",
+                        {fmt::format("{:.0f} joints miss their continuity", joints),
+                         fmt::format("All joints of {:.0f} random curves: C1, G1, C2 and G2, open and closed. A curve "
+                                     "that missed its continuity would not count as solved.",
+                                     curves)});
 }
 
 /// How often geometric joints have the lower energy, over the usual sorts of curves.
@@ -223,11 +225,11 @@ void claim_geometric(Findings& found) {
     drawn += fmt::format("{}{} {:.2g}", drawn.empty() ? "" : ", ", kind.words,
                          cell ? Drawn(found.cell(*cell)).mean : undefined);
   }
-  found.claim("geometric-lowers-energy", both.often(),
-              fmt::format("G1 below C1 on {}, G2 below C2 on {}", first.words(), second.words()),
-              fmt::format("Mean E_p of the random curves, open (local) and closed (global), where both are solved. On "
-                          "the stand-in for Fig. 13: {}. The paper says that more freedom often enables lower energy.",
-                          drawn));
+  found.judge("geometric-lowers-energy", both,
+              {fmt::format("G1 below C1 on {}, G2 below C2 on {}", first.words(), second.words()),
+               fmt::format("Mean E_p of the random curves, open (local) and closed (global), where both are solved. On "
+                           "the stand-in for Fig. 13: {}. The paper says that more freedom often enables lower energy.",
+                           drawn)});
 }
 
 void claim_intervals(Findings& found) {
@@ -240,8 +242,9 @@ void claim_intervals(Findings& found) {
       each += fmt::format("{}{} {:.1f} %", each.empty() ? "" : ", ", label_of(kind, sort),
                           100.0 * few.agree / std::max(1.0, few.cases));
     }
-  found.claim("two-intervals", all.often(), fmt::format("{} segments", all.words()),
-              fmt::format("Random curves, exact isolation of the extrema of curvature: {}.", each));
+  found.judge("two-intervals", all,
+              {fmt::format("{} segments", all.words()),
+               fmt::format("Random curves, exact isolation of the extrema of curvature: {}.", each)});
 }
 
 void claim_extrema(Findings& found) {
@@ -255,11 +258,11 @@ void claim_extrema(Findings& found) {
         all.add(value <= near);
         offsets.push_back(value);
       }
-  found.claim(
-      "points-near-extrema", all.in_general(),
-      fmt::format("within {:g} chords on average on {} curves; median {:.2g}", near, all.words(), median(offsets)),
-      "Arc length from each point to the nearest extremum of curvature over the local chord, mean over the "
-      "points of a random curve.");
+  found.judge(
+      "points-near-extrema", all,
+      {fmt::format("within {:g} chords on average on {} curves; median {:.2g}", near, all.words(), median(offsets)),
+       "Arc length from each point to the nearest extremum of curvature over the local chord, mean over the "
+       "points of a random curve."});
 }
 
 store::FigureRecord figure(const Findings& found) {

@@ -117,26 +117,28 @@ struct Bounded {
   }
 };
 
-/// The default mode is judged; the evidence tells of the printed one.
+/// As printed, and our default mode beside it.
 void claim_energy(Findings& found) {
-  const Bounded ours(found, as_default, &Statistics::mean, energy_bound);
-  const Bounded printed(found, as_printed, &Statistics::mean, energy_bound);
-  const Bounded scaled(found, as_default, &Statistics::scaled_mean, energy_bound);
-  found.claim(
-      "mean-energy-bound", ours.within.always(),
-      fmt::format("below on {}; the largest is {:.3g}", ours.within.words(), ours.worst),
-      fmt::format("Our drawings in their own units, default mode. Windows as printed: {}. Times the mean chord, "
-                  "default mode: {}.",
-                  printed.within.words(), scaled.within.words()));
+  for (const auto& [label, method] : {std::pair(as_printed, "as printed"), std::pair(as_default, "our default mode")}) {
+    const Bounded own(found, label, &Statistics::mean, energy_bound);
+    const Bounded scaled(found, label, &Statistics::scaled_mean, energy_bound);
+    found.judge(
+        "mean-energy-bound", own.within,
+        {fmt::format("below on {}; the largest is {:.3g}", own.within.words(), own.worst),
+         fmt::format("Our drawings in their own units. Times the mean chord: {}.", scaled.within.words()), method});
+  }
 }
 
 void claim_time(Findings& found) {
   const Bounded ours(found, as_default, &Statistics::seconds, time_bound);
   const Bounded printed(found, as_printed, &Statistics::seconds, time_bound);
-  found.claim("time-bound", ours.within.always(), fmt::format("at most {:.2g} ms per point", 1e3 * ours.worst),
-              fmt::format("Default mode on this machine; windows as printed take at most {:.2g} ms. The paper timed "
-                          "MATLAB's interior-point method on another machine.",
-                          1e3 * printed.worst));
+  found.by_construction(
+      "time-bound",
+      {fmt::format("at most {:.2g} ms per point", 1e3 * ours.worst),
+       fmt::format("Default mode on this machine; windows as printed take at most {:.2g} ms. The paper "
+                   "timed MATLAB's interior-point method on another machine: a thousand times as long, so "
+                   "that compiled code stays below its bound whatever the method.",
+                   1e3 * printed.worst)});
 }
 
 store::FigureRecord cartoons(const Findings& found) {

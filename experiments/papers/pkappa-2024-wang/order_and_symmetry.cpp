@@ -178,14 +178,10 @@ void claim_limitation(Findings& found) {
   std::vector<double> values = answers(found.rows(), open_question, local).values(departure);
   std::ranges::copy(answers(found.rows(), closed_question, local).values(departure), std::back_inserter(values));
   const Tally seen = visible_ones(values);
-  // "Cannot ensure": one visible asymmetry is enough.
-  found.claim("symmetry-not-ensured",
-              seen.cases == 0.0  ? "not reproduced"
-              : seen.agree > 0.0 ? "reproduced"
-                                 : "contradicted",
-              fmt::format("asymmetric by more than {:g} chords on {}; median {:.2g}, largest {:.2g}", visible,
-                          seen.words(), median(values), largest(values)),
-              "Symmetric random points, open and closed, window by window; the curve against its mirror image.");
+  found.judge("symmetry-not-ensured", seen,
+              {fmt::format("asymmetric by more than {:g} chords on {}; median {:.2g}, largest {:.2g}", visible,
+                           seen.words(), median(values), largest(values)),
+               "Symmetric random points, open and closed, window by window; the curve against its mirror image."});
 }
 
 void claim_global(Findings& found) {
@@ -200,11 +196,11 @@ void claim_global(Findings& found) {
       better.add(at_once < by_windows);
       ours.push_back(at_once);
     }
-  found.claim("global-may-improve", better.in_general(),
-              fmt::format("less asymmetry, or less effect of reversal, on {}; median {:.2g}, largest {:.2g} chords",
-                          better.words(), median(ours), largest(ours)),
-              "Random points forwards against backwards, and symmetric points against their mirror image: the whole "
-              "curve at once against window by window.");
+  found.judge("global-may-improve", better,
+              {fmt::format("less asymmetry, or less effect of reversal, on {}; median {:.2g}, largest {:.2g} chords",
+                           better.words(), median(ours), largest(ours)),
+               "Random points forwards against backwards, and symmetric points against their mirror image: the whole "
+               "curve at once against window by window."});
 }
 
 store::FigureRecord figure(const Findings& found) {

@@ -125,13 +125,14 @@ Table random_table(const Rows& random) {
 
 void claim_stage_2(Findings& found, const Rows& random) {
   const TwoWays printed = compared(random, 0), local = compared(random, 2);
-  found.claim(
-      "stage-2-lowers-energy", printed.second_lower.in_general(),
-      fmt::format("mean E lower after stage 2 on {}, median ratio {:.3g}", printed.second_lower.words(),
-                  median(printed.ratios)),
-      fmt::format("Windows as printed, random curves with mean chord 1, stage 2 of at most 10 iterations. With a "
-                  "tenth of the weights kept until it converges (default): {}, median ratio {:.3g}.",
-                  local.second_lower.words(), median(local.ratios)));
+  found.judge(
+      "stage-2-lowers-energy", printed.second_lower,
+      {fmt::format("mean E lower after stage 2 on {}, median ratio {:.3g}", printed.second_lower.words(),
+                   median(printed.ratios)),
+       fmt::format("Windows as printed, random curves with mean chord 1, stage 2 of at most 10 iterations. With a "
+                   "tenth of the weights kept until it converges (default): {}, median ratio {:.3g}.",
+                   local.second_lower.words(), median(local.ratios)),
+       "as printed"});
 }
 
 void draw(Findings& found) {

@@ -97,11 +97,12 @@ void claim_trend(Findings& found) {
   const std::vector<double> shares = found.rows().values(same_trend);
   const auto cases = static_cast<double>(shares.size()), full = static_cast<double>(std::ranges::count(shares, 1.0));
   const double average = shares.empty() ? 0.0 : mean(shares);
-  found.claim("parabola-trend", study::verdict_in_general(average * cases, cases),
-              fmt::format("κ' has the sign of the parabola's slope on {:.1f} % of [0, 1] on average", 100.0 * average),
-              fmt::format("{:.0f} single segments through random triples (legs of 4 : 1 to 1 : 4), {:.0f} of them with "
-                          "the sign of the parabola's slope everywhere; median E_p times mean chord {:.2g}.",
-                          cases, full, found.rows().median(energy)));
+  found.judge(
+      "parabola-trend", study::Tally{average * cases, cases},
+      {fmt::format("κ' has the sign of the parabola's slope on {:.1f} % of [0, 1] on average", 100.0 * average),
+       fmt::format("{:.0f} single segments through random triples (legs of 4 : 1 to 1 : 4), {:.0f} of them with "
+                   "the sign of the parabola's slope everywhere; median E_p times mean chord {:.2g}.",
+                   cases, full, found.rows().median(energy))});
 }
 
 void conclude(Findings& found) {

@@ -1,4 +1,4 @@
-// Tallies and the verdicts that follow from them; tables that refuse what does not fit.
+// Tallies that count, and tables that refuse what does not fit.
 #include "experiments/study/tally.hpp"
 
 #include <cmath>
@@ -9,21 +9,6 @@
 
 using namespace kappabench::study;
 
-TEST_CASE("verdicts follow the rule for the kind of statement") {
-  CHECK(Tally{100, 100}.always() == "reproduced");
-  CHECK(Tally{99, 100}.always() == "contradicted");
-  CHECK(Tally{95, 100}.in_general() == "reproduced");
-  CHECK(Tally{94, 100}.in_general() == "not reproduced");
-  CHECK(Tally{49, 100}.in_general() == "contradicted");
-  CHECK(Tally{67, 100}.often() == "reproduced");
-  CHECK(Tally{60, 100}.often() == "not reproduced");
-  CHECK(Tally{49, 100}.often() == "contradicted");
-  // Nothing is shown by no case.
-  for (const std::string& verdict : {Tally{}.always(), Tally{}.in_general(), Tally{}.often()})
-    CHECK(verdict == "not reproduced");
-  CHECK(std::isnan(Tally{}.share()));
-}
-
 TEST_CASE("tallies count and add up") {
   Tally tally;
   tally.add(true), tally.add(false);
@@ -31,6 +16,11 @@ TEST_CASE("tallies count and add up") {
   CHECK(tally.agree == 3.0);
   CHECK(tally.misses() == 1.0);
   CHECK(tally.words() == "3 of 4 (75 %)");
+  CHECK(std::isnan(Tally{}.share()));
+  CHECK(all_but(1, 4).agree == 3.0);
+  CHECK(one_case(false, true).cases == 0.0);
+  CHECK(one_case(true, false).misses() == 1.0);
+  CHECK(weaker({1, 2}, {9, 10}).cases == 2.0);
 }
 
 TEST_CASE("a row of a table has a value of the right kind for every column") {
