@@ -13,7 +13,11 @@ namespace kappabench {
 namespace {
 
 void check_claims(const Experiment& experiment, std::span<const Paper> papers) {
-  if (experiment.paper.empty()) return;
+  if (experiment.paper.empty()) {
+    if (experiment.claims.empty()) return;
+    throw std::logic_error(fmt::format("experiment {}: judges the claim '{}' of no paper; name the paper",
+                                       experiment.id, experiment.claims.front()));
+  }
   const auto paper = std::ranges::find(papers, experiment.paper, &Paper::id);
   if (paper == papers.end())
     throw std::logic_error(
@@ -39,7 +43,6 @@ void check_house(std::span<const Experiment> experiments, std::span<const Paper>
 
 void conclude(const Experiment& experiment, const Context& context, store::ExperimentRecord& record) {
   experiment.conclude(context, record);
-  if (experiment.paper.empty()) return;
   for (const store::ClaimRecord& claim : record.claims)
     if (claim.paper != experiment.paper || std::ranges::find(experiment.claims, claim.claim) == experiment.claims.end())
       throw std::logic_error(

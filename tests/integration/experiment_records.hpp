@@ -62,17 +62,26 @@ inline store::ExperimentRecord concluded(store::ExperimentRecord record,
   return record;
 }
 
-/// The verdict on a claim, which must have been judged, with our value and the evidence. `method`: where two are
-/// judged.
-inline std::string verdict(const store::ExperimentRecord& record, std::string_view claim,
-                           std::string_view method = {}) {
+/// A claim, which must have been judged, with our value and the evidence. `method`: where two are judged.
+inline const store::ClaimRecord& claim_of(const store::ExperimentRecord& record, std::string_view claim,
+                                          std::string_view method = {}) {
   const auto found = std::ranges::find_if(record.claims, [&](const store::ClaimRecord& judged) {
     return judged.claim == claim && (method.empty() || judged.method == method);
   });
   REQUIRE(found != record.claims.end());
   CHECK_FALSE(found->ours.empty());
   CHECK_FALSE(found->evidence.empty());
-  return found->verdict;
+  return *found;
+}
+
+inline std::string verdict(const store::ExperimentRecord& record, std::string_view claim,
+                           std::string_view method = {}) {
+  return claim_of(record, claim, method).verdict;
+}
+
+/// The verdict may be that the sample is too small; this is what the sample says.
+inline bool all_agree(const store::ExperimentRecord& record, std::string_view claim) {
+  return claim_of(record, claim).sample.ends_with("(100 %)");
 }
 
 inline const store::TableRecord& table_of(const store::ExperimentRecord& record, std::string_view id) {

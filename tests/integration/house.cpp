@@ -45,6 +45,8 @@ TEST_CASE("a declared claim that its paper's file lacks is a start error, and so
                     "experiment a: reports/paper/loops-2000-roe.toml has no claim 'square'; add it there");
   CHECK_THROWS_WITH(check({experiment("a", "loops-1999-doe", {})}),
                     "experiment a: there is no reports/paper/loops-1999-doe.toml");
+  CHECK_THROWS_WITH(check({experiment("a", "", {"round"})}),
+                    "experiment a: judges the claim 'round' of no paper; name the paper");
 }
 
 TEST_CASE("drawings with one id and drawings without metadata are start errors") {
@@ -55,9 +57,14 @@ TEST_CASE("drawings with one id and drawings without metadata are start errors")
                     "datasets/points/d.txt: no units; begin with a line '# units: ...'");
 }
 
-TEST_CASE("a verdict on a claim that was not declared is an error") {
+TEST_CASE("a verdict on a claim that was not declared is an error, with a paper or without") {
   const Context context{.registry = test::all_schemes()};
   store::ExperimentRecord record;
+  CHECK_THROWS_WITH(
+      conclude(experiment("b", "", {}), context, record),
+      "experiment b: judges the claim 'round' of loops-2000-roe, which it does not declare; add it to its "
+      "claims");
+  record.claims.clear();
   CHECK_NOTHROW(conclude(experiment("a", "loops-2000-roe", {"round"}), context, record));
   CHECK_THROWS_WITH(
       conclude(experiment("a", "loops-2000-roe", {}), context, record),
