@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace kappabench {
 namespace {
@@ -54,7 +55,9 @@ MetadataMember find_metadata(std::string_view key) {
 }
 
 void set_metadata(Drawing& drawing, std::string_view key, std::string_view value, const Place& place) {
-  std::string& target = drawing.*find_metadata(key);
+  const MetadataMember member = find_metadata(key);
+  if (member == nullptr) throw std::logic_error(fmt::format("set_metadata: '{}' is no key of metadata", key));
+  std::string& target = drawing.*member;
   if (!target.empty()) refuse_repeated(key, place);
   if (key == "stands-in-for" && value == "-") return;
   target = value;

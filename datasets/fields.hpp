@@ -36,7 +36,8 @@ inline constexpr std::array<std::pair<std::string_view, MetadataMember>, 5> meta
 /// nullptr if there is no such key.
 [[nodiscard]] MetadataMember find_metadata(std::string_view key);
 
-/// Sets a metadata key; the value "-" of stands-in-for means none. Throws DataError if it is set already.
+/// Sets a key that find_metadata knows; the value "-" of stands-in-for means none. Throws DataError if it is set
+/// already.
 void set_metadata(Drawing& drawing, std::string_view key, std::string_view value, const Place& place);
 
 /// Reads a comment line "# key: value" if its key is one of the metadata keys; any other comment is for people.

@@ -81,6 +81,7 @@ Table distribution_table(const Findings& found, const Distributed& shown_as) {
 
 std::vector<Table> distribution_tables(const Findings& found) {
   std::vector<Table> tables;
+  tables.reserve(std::size(distributed));
   for (const Distributed& each : distributed) tables.push_back(distribution_table(found, each));
   return tables;
 }
