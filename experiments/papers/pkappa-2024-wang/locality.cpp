@@ -257,7 +257,7 @@ void claim_local(Findings& found, std::string_view id, std::initializer_list<Rea
   for (const auto& [label, printed] : reaches) {
     const Rows own = rows_of(found, label);
     for (const double d : own.values(reach)) within.add(d <= printed);
-    within.add(own.largest(reach) >= printed);
+    if (!own.values(reach).empty()) within.add(own.largest(reach) >= printed);
     if (!own.values(reach).empty()) ours.push_back(fmt::format("{}: {:.0f} on each side", label, own.largest(reach)));
   }
   found.judge(id, within,
