@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "schemes/euler_spiral/continuation.hpp"
+#include "schemes/euler_spiral/solution.hpp"
 #include "schemes/segments/clothoid.hpp"
 #include "schemes/segments/spans.hpp"
 
@@ -31,14 +30,6 @@ EulerSpiral::EulerSpiral(Parameters parameters) : Scheme(describe(), std::move(p
 
 namespace {
 
-/// A span of more chords is a circle that nearly misses its end, as large as its turn is near 2 pi: it runs away.
-constexpr double longest = 100.0;
-
-std::size_t longest_of(const std::vector<Span>& spans) {
-  const auto along = [](const Span& span) { return span.clothoid.along; };
-  return static_cast<std::size_t>(std::ranges::min_element(spans, {}, along) - spans.begin());
-}
-
 /// The point at an open end of span `i` whose heading nobody gave, if there is one: an arc bends by 2 / chord at most.
 std::optional<std::size_t> free_end(const Polygon& polygon, std::size_t i) {
   if (polygon.closed) return std::nullopt;
@@ -47,19 +38,16 @@ std::optional<std::size_t> free_end(const Polygon& polygon, std::size_t i) {
   return std::nullopt;
 }
 
-/// Why these spans are no spline; empty if they are one.
-std::string reason_unsolved(const Reached& reached, const std::vector<Span>& spans, const Polygon& polygon) {
-  const std::size_t i = longest_of(spans);
-  const G1Clothoid& span = spans[i].clothoid;
-  const bool runs_away = span.along * longest < 1.0;
-  if (reached.at.solved() && !runs_away) return {};
+/// Where and how it runs away, or what else keeps it from being a spline.
+std::string reason_unsolved(const Solution& solution, const Polygon& polygon) {
+  const std::size_t i = solution.longest_span();
+  const G1Clothoid& span = solution.spans[i].clothoid;
   std::string text = fmt::format("{}: the span from point {} to {} turns by {:.4g} degrees and is {:.3g} chords long",
-                                 runs_away ? "a span runs away" : "no curve was found", i, (i + 1) % polygon.points(),
-                                 span.turn() * 180.0 / std::numbers::pi, 1.0 / span.along);
-  if (reached.bend < 1.0)
-    text += fmt::format(", with all turns of the polygon at {:.4g} % of what they are", 100.0 * reached.bend);
-  if (const auto end = free_end(polygon, i); end && runs_away)
-    text += fmt::format("; a tangent given at point {} may help", *end);
+                                 solution.runs_away() ? "a span runs away" : "no curve was found", i,
+                                 (i + 1) % polygon.points(), span.turn() * 180.0 / std::numbers::pi, 1.0 / span.along);
+  if (solution.bend < 1.0)
+    text += fmt::format(", with all turns of the polygon at {:.4g} % of what they are", 100.0 * solution.bend);
+  if (const auto end = free_end(polygon, i)) text += fmt::format("; a tangent given at point {} may help", *end);
   return text;
 }
 
@@ -76,27 +64,19 @@ ClothoidForm placed(const G1Clothoid& clothoid, const Vec2& from, double chord, 
 
 Fit EulerSpiral::solve(const Input& input) const {
   const Polygon polygon = polygon_of(input);
-  System system(polygon);
-  Reached reached{newton(system, circle_headings(polygon), 1.0), 1.0};
-  const bool continued = !reached.at.solved();
-  if (continued) {
-    const int iterations = reached.at.iterations;
-    reached = from_small_turns(system, polygon.points());
-    reached.at.iterations += iterations;
-  }
-  (void)system.evaluate(reached.at.headings, reached.bend);
+  const Solution solution = solution_of(polygon);
   Report report{.outcome = Outcome::converged,
-                .message = reason_unsolved(reached, system.spans(), polygon),
-                .iterations = reached.at.iterations,
-                .residual = reached.at.residual,
-                .counters = {{"continued", continued ? 1 : 0}}};
-  if (!report.message.empty()) {
+                .iterations = solution.iterations,
+                .residual = solution.residual,
+                .counters = {{"continued", solution.continued ? 1 : 0}, {"other_side", solution.other_side}}};
+  if (!solution.is_spline()) {
     report.outcome = Outcome::not_converged;
+    report.message = reason_unsolved(solution, polygon);
     return {.input = input, .curve = std::nullopt, .report = std::move(report)};
   }
   std::vector<SpanPieces> spans;
   for (std::size_t i = 0; i < polygon.chords(); ++i)
-    spans.push_back({.segments = {std::make_shared<ClothoidSegment>(placed(system.spans()[i].clothoid, input.points[i],
+    spans.push_back({.segments = {std::make_shared<ClothoidSegment>(placed(solution.spans[i].clothoid, input.points[i],
                                                                            polygon.lengths[i], polygon.directions[i]))},
                      .inside = Continuity::g2,
                      .at_end = Continuity::g2});

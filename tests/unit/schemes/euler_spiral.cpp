@@ -241,6 +241,18 @@ TEST_CASE("euler-spiral: continuation finds what Newton's method alone does not"
   CHECK(fit(points).report.counters.at("continued") == 0);
 }
 
+TEST_CASE("euler-spiral: a turn that nearly folds back is taken to the other side where a span runs away") {
+  const std::vector<Vec2> backtracking{{0, 0}, {40, 0}, {20, 0.5}, {60, 6}, {35, 7}, {80, 0}, {100, 0}};
+  const Fit found = fit(backtracking);
+  check_spline(found);
+  CHECK(found.report.counters.at("other_side") > 0);
+  for (const SegmentPtr& segment : found.curve->segments()) {
+    const double chord = (segment->jet(1.0, 0).position() - segment->jet(0.0, 0).position()).norm();
+    CHECK(static_cast<const ClothoidSegment&>(*segment).form().length < 3.0 * chord);
+  }
+  CHECK(fit(points).report.counters.at("other_side") == 0);
+}
+
 TEST_CASE("euler-spiral: where the path turns straight back the neighbours say to which side") {
   const std::vector<Vec2> back{{0, 0}, {5, 1}, {10, 2}, {5, 1}, {4, 4}};
   const double sign = polygon_of({.points = back, .closed = false}).turns[2];
