@@ -18,10 +18,10 @@ struct PathProblem {
 
   System& system;
 
-  double evaluate(const State& state, double softness) const {
+  double evaluate(const State& state, double softness) {
     return system.evaluate(state, 1.0 / softness) ? system.residual() : std::numeric_limits<double>::infinity();
   }
-  bool solve(const State&, double softness, Step& newton_step, Step& response) const {
+  bool solve(const State&, double softness, Step& newton_step, Step& response) {
     if (!system.solve(newton_step, response)) return false;
     for (double& r : response) r *= -1.0 / softness;  // d bend = -bend d log softness
     return true;

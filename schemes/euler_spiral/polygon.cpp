@@ -22,11 +22,11 @@ bool turns_straight_back(const Vec2& before, const Vec2& after, double rounding)
 }
 
 void choose_sides(std::vector<double>& turns, const std::vector<std::size_t>& back) {
+  if (back.empty()) return;
   const std::size_t n = turns.size();
   for (const std::size_t k : back) turns[k] = 0.0;
-  std::vector<double> chosen;
-  for (const std::size_t k : back) chosen.push_back(turns[(k + n - 1) % n] + turns[(k + 1) % n] < 0.0 ? -pi : pi);
-  for (std::size_t i = 0; i < back.size(); ++i) turns[back[i]] = chosen[i];
+  const std::vector<double> others = turns;
+  for (const std::size_t k : back) turns[k] = others[(k + n - 1) % n] + others[(k + 1) % n] < 0.0 ? -pi : pi;
 }
 
 }  // namespace
