@@ -11,6 +11,7 @@
 #include "schemes/clothoid3/clc.hpp"
 #include "schemes/clothoid3/refine.hpp"
 #include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/g1_clothoid.hpp"
 #include "schemes/segments/joint_claim.hpp"
 #include "schemes/segments/spans.hpp"
 
@@ -44,7 +45,7 @@ SchemeInfo Clothoid3::describe() {
                      .continuity_exceptions = "corners (G0) where the legs turn straight back",
                      .locality = 4,
                      .hermite = true},
-          .version = 3};
+          .version = 4};
 }
 
 namespace {
@@ -129,7 +130,7 @@ Span lone_span(const Input& input, const Run& run, Pieces pieces, const Rules& r
   const auto mirrored = [direction](double heading) { return 2.0 * direction - heading; };
   CurveElement from{start, at_start.tangent.value_or(mirrored(at_end.tangent.value_or(direction))), 0.0};
   CurveElement to{end, at_end.tangent.value_or(mirrored(from.heading)), 0.0};
-  const auto clothoid = g1_hermite(from, to);
+  const auto clothoid = g1_clothoid(from.point, from.heading, to.point, to.heading);
   if (!clothoid) return straight(start, end, Continuity::g0);
   if (!curvature_given) return {.pieces = {*clothoid}};
   from.curvature = at_start.curvature.value_or(clothoid->curvature);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "schemes/clothoid3/local_conic.hpp"
+#include "schemes/segments/g1_clothoid.hpp"
 
 namespace kappabench::clothoid3 {
 
@@ -74,8 +75,10 @@ std::optional<double> clothoid_curvature(const std::optional<ClothoidForm>& befo
 void take_clothoid_curvatures(const Neighbourhoods& points, bool closed, std::vector<PointElement>& elements) {
   const std::size_t n = elements.size();
   std::vector<std::optional<ClothoidForm>> clothoids;
-  for (std::size_t i = 0; i < (closed ? n : n - 1); ++i)
-    clothoids.push_back(g1_hermite(elements[i].at, elements[(i + 1) % n].at));
+  for (std::size_t i = 0; i < (closed ? n : n - 1); ++i) {
+    const CurveElement &from = elements[i].at, &to = elements[(i + 1) % n].at;
+    clothoids.push_back(g1_clothoid(from.point, from.heading, to.point, to.heading));
+  }
   for (std::size_t i = 0; i < n; ++i) {
     if (points.place(i) != Place::middle || elements[i].turn == 0) continue;
     const auto mean = clothoid_curvature(clothoids[(i + n - 1) % n], clothoids[i], elements[i].turn);

@@ -14,11 +14,6 @@ struct CurveElement {
   double curvature;
 };
 
-/// The one clothoid from `from` to `to` with their headings (curvatures are not read), each heading taken within half a
-/// turn of the chord (Bertolazzi and Frego 2015). Newton on one equation, each step shortened until it helps; nullopt
-/// if that stalls. The points must not coincide.
-[[nodiscard]] std::optional<ClothoidForm> g1_hermite(const CurveElement& from, const CurveElement& to);
-
 /// Three clothoids with continuous curvature and the given headings and curvatures at both ends.
 struct ThreeArcs {
   std::array<ClothoidForm, 3> arcs;

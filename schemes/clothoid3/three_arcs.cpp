@@ -5,6 +5,7 @@
 
 #include "schemes/clothoid3/hermite.hpp"
 #include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/g1_clothoid.hpp"
 
 namespace kappabench::clothoid3 {
 
@@ -144,7 +145,7 @@ std::array<ClothoidForm, 3> placed(const Problem& p, const Solution& solution, c
 }  // namespace
 
 std::optional<ThreeArcs> three_arcs(const CurveElement& from, const CurveElement& to) {
-  const auto guess = g1_hermite(from, to);
+  const auto guess = g1_clothoid(from.point, from.heading, to.point, to.heading);
   if (!guess) return std::nullopt;
   const Vec2 chord = to.point - from.point;
   const double direction = std::atan2(chord.y(), chord.x()), unit = 0.5 * chord.norm();

@@ -32,9 +32,10 @@ TEST_CASE("the kinks of clothoid, line, clothoid show in the continuity metric; 
   CHECK(kink < 0.02001);
   CHECK(measured("continuity", "continuity_violations", *clc, bird) > 0.0);
   CHECK_THAT(clc->info().traits.continuity_exceptions, ContainsSubstring("kinks of up to 0.01 rad"));
-  for (const std::string_view text : {"clothoid3", "clothoid3:curvature=conic", "clothoid3:refine=false", "yuksel",
-                                      "yuksel:arc=bezier", "yuksel:arc=circular", "yuksel:arc=elliptical",
-                                      "yuksel:parametrization=c2", "yuksel:arc=bezier,parametrization=c2", "hobby"}) {
+  for (const std::string_view text :
+       {"clothoid3", "clothoid3:curvature=conic", "clothoid3:refine=false", "yuksel", "yuksel:arc=bezier",
+        "yuksel:arc=circular", "yuksel:arc=elliptical", "yuksel:parametrization=c2",
+        "yuksel:arc=bezier,parametrization=c2", "hobby", "euler-spiral"}) {
     INFO(text);
     CHECK(measured("continuity", "continuity_violations", *scheme(text), bird) == 0.0);
     CHECK(measured("continuity", "continuity_angle_jump", *scheme(text), bird) < 1e-12);

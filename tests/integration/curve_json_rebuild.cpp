@@ -60,9 +60,9 @@ SegmentPtr segment(const Json& json, std::set<std::string>& types) {
 
 TEST_CASE("segments rebuilt from the JSON of a fit are the fit's") {
   std::set<std::string> types;
-  for (const std::string_view text :
-       {"cubic-spline", "hobby", "ekappa-trig", "clothoid3", "clothoid3:pieces=clc", "yuksel", "yuksel:arc=bezier",
-        "yuksel:arc=elliptical", "yuksel:parametrization=c2", "yuksel:arc=bezier,parametrization=c2"}) {
+  for (const std::string_view text : {"cubic-spline", "hobby", "euler-spiral", "ekappa-trig", "clothoid3",
+                                      "clothoid3:pieces=clc", "yuksel", "yuksel:arc=bezier", "yuksel:arc=elliptical",
+                                      "yuksel:parametrization=c2", "yuksel:arc=bezier,parametrization=c2"}) {
     const SchemePtr tested = scheme(text);
     for (const Drawing& drawing : open_drawings("bird"))
       for (const Input& input : drawing.curves) {

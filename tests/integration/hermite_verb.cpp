@@ -186,6 +186,32 @@ TEST_CASE("data without a monotone curvature are refused by intrinsic with the r
   check_json(arcs.out, {{0, 0, -20, 0.3}, {1, 0, 40, 1.55}});
 }
 
+TEST_CASE(
+    "no line comes back, and lanes do not change at a monotone curvature: the scheme that can is named, and does") {
+  const ScratchFolder folder;
+  for (const Case& data : {Case{{0, 0, 0, 0.0}, {-10, 0, 0, 0.0}}, Case{{0, 0, 0, 0.0}, {150, 20, 0, 0.0}},
+                           Case{{3, 1, 45, 0.0}, {-7, -9, 45, 0.0}}}) {
+    INFO(data.arguments());
+    const Ran ran = run(folder, data.arguments());
+    refused(ran, "no monotone curvature: ");
+    CHECK_THAT(ran.err, ContainsSubstring("the scheme clothoid3 meets such data"));
+    CHECK(ran.out.empty());
+    check_json(run(folder, data.arguments() + " --scheme clothoid3").out, data);
+  }
+}
+
+TEST_CASE("a circle so large that rounding decides its length is not converged, in one line") {
+  const ScratchFolder folder;
+  for (const std::string scheme : {"intrinsic", "clothoid3"})
+    for (const std::string off : {"179.9999999", "179.999999999999"}) {
+      const Ran ran = run(folder, "hermite --from 0,0," + off + " --to 10,0,-" + off + " --scheme " + scheme);
+      INFO(scheme << ", " << off << ": " << ran.err);
+      CHECK(ran.status == 3);
+      CHECK_THAT(ran.err, ContainsSubstring("not_converged: "));
+      CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
+    }
+}
+
 TEST_CASE("a hermite curve that was not found is printed, marked, with exit status 3") {
   const ScratchFolder folder;
   // Clothoids from so large a curvature have rates beyond the doubles.

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "schemes/segments/clothoid.hpp"
+#include "schemes/segments/g1_clothoid.hpp"
 #include "tests/catch.hpp"
 
 using namespace kappabench;
@@ -36,7 +37,7 @@ TEST_CASE("G1 clothoids of known curvature and length") {
                          Known{0.4, 0.2, 1.976110898453501, -1.580345384954768, 1.010699483297147},
                          Known{-0.3, 0.9, -3.220806834840579, 4.870202990040898, 1.091308473300879},
                          Known{pi / 9.0, pi / 3.0, 0.01865202158062864, 1.975653886983914, 1.050187482972808}}) {
-    const auto c = g1_hermite({Vec2(0, 0), -k.theta_e, 0.0}, {Vec2(1, 0), k.theta_d - k.theta_e, 0.0});
+    const auto c = g1_clothoid({0, 0}, -k.theta_e, {1, 0}, k.theta_d - k.theta_e);
     REQUIRE(c.has_value());
     CHECK(c->curvature == Approx(k.curvature0).epsilon(1e-13).margin(1e-14));
     CHECK(end_curvature(*c) == Approx(k.curvature1).epsilon(1e-13));
@@ -47,12 +48,13 @@ TEST_CASE("G1 clothoids of known curvature and length") {
 TEST_CASE("a G1 clothoid is found for every pair of headings, and ends where it should") {
   for (int i = -24; i <= 24; ++i)
     for (int j = -24; j <= 24; ++j) {
-      const CurveElement from{Vec2(3.0, 1.0), i * pi / 24.0, 0.0}, to{Vec2(5.0, 1.0), j * pi / 24.0, 0.0};
-      const auto c = g1_hermite(from, to);
+      const Vec2 from(3.0, 1.0), to(5.0, 1.0);
+      const double start = i * pi / 24.0, end = j * pi / 24.0;
+      const auto c = g1_clothoid(from, start, to, end);
       INFO("headings " << i << " and " << j << " times pi / 24");
       REQUIRE(c.has_value());
-      CHECK((end_point(*c) - to.point).norm() <= 1e-13 * c->length);
-      CHECK(angle_between(end_heading(*c), to.heading) < 1e-13);
+      CHECK((end_point(*c) - to).norm() <= 1e-13 * c->length);
+      CHECK(angle_between(end_heading(*c), end) < 1e-13);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "schemes/segments/polynomial.hpp"
 #include "tests/catch.hpp"
@@ -17,6 +19,9 @@ namespace {
 PolynomialSegment bezier(std::array<Vec2, 3> points) { return PolynomialSegment(points); }
 
 const Input retrace{.points = {{0, 0}, {5, 1}, {10, 0}, {5, 1}, {0, 0}}, .closed = false};
+
+/// Back on the leg by which it came, not to its start.
+const Input there_and_back{.points = {{0, 0}, {10, 12}, {7, 8}, {3, 8}, {7, 8}, {10, 4}}, .closed = false};
 
 /// The same path turned and moved, so that nothing is a round number.
 Input turned(const Input& input, double angle, const Vec2& shift) {
@@ -64,21 +69,45 @@ TEST_CASE("across a segment that has shrunk to a point no more is claimed than h
 }
 
 TEST_CASE("no scheme claims a direction where a path goes back as it came") {
-  for (const char* text :
-       {"kappa", "ekappa", "ekappa:a=0.95", "ekappa-trig", "fpc", "cubic-spline", "cubic-spline:parameter=uniform",
-        "catmull-rom", "catmull-rom:alpha=0", "yuksel:arc=bezier", "hobby", "pkappa", "pkappa:continuity=g1"})
-    for (const Input& input : {retrace, turned(retrace, 0.7, {3.1, -2.3})}) {
-      INFO(text);
-      const Fit fit = scheme(text)->fit(input);
-      REQUIRE(fit.curve.has_value());
-      for (const Joint& joint : fit.curve->joints())
-        CHECK((turn_at(*fit.curve, joint) > 1.0) == (joint.claimed == Continuity::g0));
-    }
+  std::vector<std::string> texts{"ekappa:a=0.95", "cubic-spline:parameter=uniform", "catmull-rom:alpha=0",
+                                 "yuksel:arc=bezier", "pkappa:continuity=g1"};
+  for (const SchemeInfo& info : all_schemes().list()) texts.push_back(info.id);
+  for (const std::string& text : texts)
+    for (const Input& path : {retrace, there_and_back})
+      for (const Input& input : {path, turned(path, 0.7, {3.1, -2.3})}) {
+        INFO(text);
+        const Fit fit = scheme(text)->fit(input);
+        // Who draws nothing says why.
+        CHECK((fit.report.outcome == Outcome::converged || !fit.report.message.empty()));
+        if (!fit.curve) continue;
+        for (const Joint& joint : fit.curve->joints())
+          CHECK((turn_at(*fit.curve, joint) > 1.0) == (joint.claimed == Continuity::g0));
+      }
   for (const char* text :
        {"kappa", "ekappa", "ekappa-trig", "fpc", "cubic-spline", "catmull-rom", "yuksel:arc=bezier"}) {
     INFO(text);
     const Fit fit = scheme(text)->fit(retrace);
     CHECK(std::ranges::count(fit.curve->joints(), Continuity::g0, &Joint::claimed) == 1);
+  }
+}
+
+TEST_CASE("two points are joined by a line, with every scheme") {
+  for (const SchemeInfo& info : all_schemes().list()) {
+    INFO(info.id);
+    for (const Input& input : {Input{.points = {{0, 0}, {4, 1}}, .closed = false},
+                               Input{.points = {{-3e5, 2.5}, {7.25, 1e4}}, .closed = false}}) {
+      const Fit fit = scheme(info.id)->fit(input);
+      REQUIRE(fit.report.outcome == Outcome::converged);
+      const Vec2 chord = input.points[1] - input.points[0];
+      for (const Jet& jet : sample(*fit.curve, 9, 1).jets) {
+        const Vec2 way = jet.position() - input.points[0];
+        CHECK(std::abs(cross(way, chord)) <= 1e-14 * chord.squaredNorm());
+        CHECK(std::abs(cross(jet.d[1], chord)) <= 1e-14 * jet.d[1].norm() * chord.norm());
+        CHECK(jet.d[1].dot(chord) > 0.0);
+        CHECK(way.dot(chord) >= -1e-15 * chord.squaredNorm());
+        CHECK(way.dot(chord) <= (1.0 + 1e-15) * chord.squaredNorm());
+      }
+    }
   }
 }
 
