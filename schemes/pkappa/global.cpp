@@ -77,7 +77,7 @@ template <Continuity K>
 std::vector<double> parabola_energies(const JointChain& chain) {
   SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
   std::vector<double> e;
-  for (std::size_t i = 0; i < chain.size(); ++i) 
+  for (std::size_t i = 0; i < chain.size(); ++i)
     e.push_back(chain.unit(i) * energy.terms(polygon<K>(chain, i), chain.t[i]).parabola);
   return e;
 }
@@ -267,7 +267,8 @@ Spline<K> solve_globally(const Input& input, const WindowSettings& settings, Glo
     report.from_local = true;
     report.second_stage_reverted = report.second_stage_at_rest = false;
     chain = *local;
-    phase(chain, fine_gauss_rule(), last_weights, std::max(settings.second_iterations, 1), settings.tolerance);
+    phase(chain, fine_gauss_rule(), last_weights, one_stage ? settings.first_iterations : settings.second_iterations,
+          settings.tolerance);
     if (below(judge(*local), judge(chain))) chain = *local;
   }
 

@@ -18,9 +18,9 @@ struct GlobalReport {
 };
 
 /// Minimises the energy of the whole curve at once, open or periodic: no frozen segments, and a start that prefers no
-/// direction. Never above the curve of mode=local in energy, weighted as in stage 2 and in the unit of `settings`, if that
-/// curve is sound: where it is below, it is the start. Linear in the number of points, in time and memory. Segment i passes point i + 1 if
-/// open, point i if closed. Empty if not even a start can be computed.
+/// direction. Never above the curve of mode=local in energy, weighted as in stage 2 and in the unit of `settings`, if
+/// that curve is sound: where it is below, it is the start. Linear in the number of points, in time and memory. Segment
+/// i passes point i + 1 if open, point i if closed. Empty if not even a start can be computed.
 template <Continuity K>
 [[nodiscard]] Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report);
 

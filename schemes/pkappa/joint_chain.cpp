@@ -98,8 +98,7 @@ bool restore_interpolation(JointChain& chain) {
                              joint_weights[chain.end_joint(i)] * a[i].end.squaredNorm() +
                              middle_weight(i) * a[i].middle * a[i].middle;
     const std::size_t next = chain.cyclic && i + 1 == n ? 0 : i + 1;
-    if (next < n)
-      gram.upper[i](0, 0) = gram.lower[next](0, 0) = joint_weights[next] * a[i].end.dot(a[next].start);
+    if (next < n) gram.upper[i](0, 0) = gram.lower[next](0, 0) = joint_weights[next] * a[i].end.dot(a[next].start);
     y[i] = (chain.points[i] - polygon<K>(chain, i) * bernstein<L::degree>(chain.t[i])).transpose();
   }
   BlockTridiagonalSolver<1, 2> solver;

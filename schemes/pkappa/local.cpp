@@ -273,7 +273,8 @@ Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& s
   std::vector<Vec2> round(points.begin(), points.end());
   round.push_back(points.front());
   Spline<K> open;
-  for (std::size_t n = 3; n <= round.size(); ++n) append<K>(open, std::span<const Vec2>(round).first(n), settings, report);
+  for (std::size_t n = 3; n <= round.size(); ++n)
+    append<K>(open, std::span<const Vec2>(round).first(n), settings, report);
   const Spline<K> three = between<K>(open.control.back(), open.t.back(), points.back(), points.front(),
                                      open.control.front(), open.t.front(), points[1]);
   Spline<K> closed;

@@ -12,7 +12,6 @@ namespace kappabench::pkappa {
 /// angle within `width` to either side and the curvature is |c''| / |c'|^2. Certain up to rounding of the control
 /// points: by signs of Bernstein coefficients and subdivision.
 template <int Degree>
-[[nodiscard]] std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double width,
-                                              double rest = 0.0);
+[[nodiscard]] std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double width, double rest = 0.0);
 
 }  // namespace kappabench::pkappa

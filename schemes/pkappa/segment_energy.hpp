@@ -38,7 +38,9 @@ struct EnergyTerms {
   double edges = 0.0;
   double length = 0.0;
 
-  [[nodiscard]] double weighted(const Weights& w) const { return w.parabola * parabola + w.edges * edges + w.length * length; }
+  [[nodiscard]] double weighted(const Weights& w) const {
+    return w.parabola * parabola + w.edges * edges + w.length * length;
+  }
 };
 
 /// The weighted energy of one segment to second order in its control points (x_0, y_0, ..., x_k, y_k) and t_i, halved.

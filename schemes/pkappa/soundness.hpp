@@ -11,8 +11,8 @@ namespace kappabench::pkappa {
 /// What a finer rule finds in a segment. Lengths are over the segment's own unit.
 struct SegmentCheck {
   /// E_p agrees with that on the rule it was minimised with (a cusp or a tight loop between nodes would show), there is
-  /// no near-cusp so narrow that the finest rule's nodes may miss it, |c'| is nowhere below 5e-6, the control polygon is not much longer than the
-  /// points demand, and it has not lost an edge at a joint, and with it the tangent.
+  /// no near-cusp so narrow that the finest rule's nodes may miss it, |c'| is nowhere below 5e-6, the control polygon
+  /// is not much longer than the points demand, and it has not lost an edge at a joint, and with it the tangent.
   bool sound = false;
   double parabola = 0.0;              ///< E_p
   double detour = 0.0;                ///< of the spans on its two sides, control polygon over chord, the larger one

@@ -5,8 +5,8 @@
 
 namespace kappabench::pkappa {
 
-/// The weighted energy of a chain (Wang 2024, Eq. (6), each segment in its own unit), to second order in its unknowns, subject to interpolation.
-/// Holds its workspace between calls.
+/// The weighted energy of a chain (Wang 2024, Eq. (6), each segment in its own unit), to second order in its unknowns,
+/// subject to interpolation. Holds its workspace between calls.
 template <Continuity K>
 class ChainSystem {
  public:

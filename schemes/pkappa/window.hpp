@@ -54,7 +54,7 @@ struct WindowReport {
   bool fell_back = false;
   bool second_stage_reverted = false;
   bool converged = true;
-  double first_energy = 0.0;    ///< weighted, after stage 1, in the window's unit
+  double first_energy = 0.0;           ///< weighted, after stage 1, in the window's unit
   std::vector<SegmentCheck> checks{};  ///< of the result; empty if there is none
 };
 
