@@ -214,7 +214,11 @@ struct Judgement {
   double energy;
 };
 
-bool below(const Judgement& a, const Judgement& b) { return a.sound != b.sound ? a.sound : a.energy < b.energy; }
+/// By more than what the tolerance of a minimisation leaves open.
+bool below(const Judgement& a, const Judgement& b) {
+  constexpr double tolerance = 1e-9;
+  return a.sound != b.sound ? a.sound : a.energy < (1.0 - tolerance) * b.energy;
+}
 
 }  // namespace
 

@@ -36,12 +36,11 @@ constexpr std::string_view about =
 struct Way {
   std::string_view words, options;
 };
-constexpr std::array<Way, 6> ways{{{"span, local", "unit=span"},
+constexpr std::array<Way, 5> ways{{{"span, local", "unit=span"},
                                    {"chord, local", "unit=chord"},
                                    {"paper, local", "unit=paper"},
                                    {"span, global", "mode=global,unit=span"},
-                                   {"chord, global", "mode=global,unit=chord"},
-                                   {"paper, global", "mode=global,unit=paper"}}};
+                                   {"chord, global", "mode=global,unit=chord"}}};
 constexpr auto &own = ways[0], &mean = ways[1];
 
 /// What a drawing's span is held against.
@@ -51,7 +50,7 @@ constexpr double wild_from = 1.5;
 // ---- the drawings
 
 constexpr std::string_view even = "even", corner_drawing = "corner";
-constexpr int curves = 6, even_points = 12;
+constexpr int curves = 4, even_points = 12;
 
 Input input_of(std::string_view kind, std::uint64_t seed, int index) {
   const std::uint64_t own_seed = 1000 * seed + static_cast<std::uint64_t>(index);
