@@ -138,7 +138,7 @@ void FlatWindow<K>::rows(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, E
   Eigen::VectorXd r;
   Eigen::Matrix<double, Eigen::Dynamic, SegmentEnergy<L::degree>::size> by_control;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    energy_.rows(polygon<K>(chain, i), chain.t[i], weights_, r, by_control);
+    energy_.rows(polygon<K>(chain, i), chain.t[i], weights_.in(chain.unit(i)), r, by_control);
     const Eigen::Index first = static_cast<Eigen::Index>(i) * r.size();
     if (i == 0) {
       residuals.resize(r.size() * static_cast<Eigen::Index>(chain.size()));

@@ -1,24 +1,30 @@
 #include "schemes/pkappa/global.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
 
+#include "schemes/pkappa/local.hpp"
 #include "schemes/pkappa/soundness.hpp"
+#include "schemes/pkappa/spans.hpp"
 #include "schemes/pkappa/starts.hpp"
 #include "schemes/pkappa/system.hpp"
 
 namespace kappabench::pkappa {
 namespace {
 
-JointChain bare_chain(const Input& input, const Vec2& origin, double unit) {
+JointChain bare_chain(const Input& input, const Vec2& origin, double unit, bool own_units) {
   const std::vector<Vec2>& points = input.points;
   const bool closed = input.closed;
   JointChain chain{.cyclic = closed};
   const auto into = [&](const Vec2& p) { return Vec2((p - origin) / unit); };
   const std::size_t skip = closed ? 0 : 1;
-  for (std::size_t i = skip; i + skip < points.size(); ++i) chain.points.push_back(into(points[i]));
+  for (std::size_t i = skip; i + skip < points.size(); ++i) {
+    chain.points.push_back(into(points[i]));
+    if (own_units) chain.units.push_back(chord_at(points, i) / unit);
+  }
   chain.joints.resize(chain.size() + (closed ? 0 : 1));
   chain.freedom.assign(chain.joints.size(), Freedom::all);
   if (!closed) {
@@ -38,6 +44,7 @@ JointChain extract(const JointChain& chain, std::size_t first, std::size_t count
     part.joints.push_back(chain.joints[i]);
     part.freedom.push_back(chain.freedom[i]);
     part.points.push_back(chain.points[i]);
+    if (!chain.units.empty()) part.units.push_back(chain.units[i]);
     part.t.push_back(chain.t[i]);
     part.t_least.push_back(chain.t_least[i]);
     part.t_most.push_back(chain.t_most[i]);
@@ -70,7 +77,8 @@ template <Continuity K>
 std::vector<double> parabola_energies(const JointChain& chain) {
   SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
   std::vector<double> e;
-  for (std::size_t i = 0; i < chain.size(); ++i) e.push_back(energy.terms(polygon<K>(chain, i), chain.t[i]).parabola);
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    e.push_back(chain.unit(i) * energy.terms(polygon<K>(chain, i), chain.t[i]).parabola);
   return e;
 }
 
@@ -170,13 +178,55 @@ Minimum settle(JointChain& chain, const QuadratureRule& rule, const Weights& wei
   return whole;
 }
 
+/// The curve of mode=local as a chain of the whole drawing.
+template <Continuity K>
+std::optional<JointChain> local_chain(const JointChain& bare, const Input& input, const WindowSettings& settings,
+                                      const Vec2& origin, double unit) {
+  WindowSettings windows = settings;
+  windows.first_iterations = WindowSettings{}.first_iterations;
+  windows.second_iterations = std::min(settings.second_iterations, WindowSettings{}.second_iterations);
+  LocalReport report;
+  Spline<K> spline = input.closed ? construct_closed<K>(input.points, windows, report)
+                                  : construct_open<K>(input.points, windows, report);
+  for (auto& control : spline.control) {
+    control = (control.colwise() - origin) / unit;
+    if (!control.allFinite()) return std::nullopt;
+  }
+  JointChain chain = bare;
+  set_boxes(chain, spline.t);
+  const std::size_t n = chain.size();
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+    if (!chain.cyclic && k == 0)
+      chain.joints[k] = joint_at_start<K>(spline.control.front());
+    else if (!chain.cyclic && k == n)
+      chain.joints[k] = joint_at_end<K>(spline.control.back());
+    else
+      chain.joints[k] = joint_between<K>(spline.control[(k + n - 1) % n], spline.control[k]);
+  }
+  if constexpr (Layout<K>::middle > 0)
+    for (const auto& control : spline.control) chain.middles.push_back(control.col(Layout<K>::side));
+  if (!restore_interpolation<K>(chain)) return std::nullopt;
+  return chain;
+}
+
+struct Judgement {
+  bool sound;
+  double energy;
+};
+
+/// By more than what the tolerance of a minimisation leaves open.
+bool below(const Judgement& a, const Judgement& b) {
+  constexpr double tolerance = 1e-9;
+  return a.sound != b.sound ? a.sound : a.energy < (1.0 - tolerance) * b.energy;
+}
+
 }  // namespace
 
 template <Continuity K>
 Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report) {
-  const double unit = settings.raw_units ? 1.0 : mean_chord(input);
+  const double unit = settings.unit == Unit::paper ? 1.0 : mean_chord(input);
   const Vec2 origin = input.points.front();
-  const JointChain bare = bare_chain(input, origin, unit);
+  const JointChain bare = bare_chain(input, origin, unit, settings.unit == Unit::span);
   std::optional<JointChain> start = fair_start<K>(bare);
   if (!start) start = polygonal_start<K>(bare);
   if (!start) return {};
@@ -193,7 +243,7 @@ Spline<K> solve_globally(const Input& input, const WindowSettings& settings, Glo
   phase(chain, *settings.rule, settings.weights, settings.first_iterations, rough);
   const QuadratureRule* rule = settings.rule;
   constexpr int most_rounds = 3;
-  for (int round = 0; round < most_rounds && !verify<K>(chain, *rule).good(); ++round) {
+  for (int round = 0; round < most_rounds && !all_good(check_segments<K>(chain, *rule)); ++round) {
     repair<K>(chain, settings, report);
     rule = &fine_gauss_rule();
     phase(chain, *rule, settings.weights, settings.first_iterations, rough);
@@ -201,10 +251,30 @@ Spline<K> solve_globally(const Input& input, const WindowSettings& settings, Glo
   // Stage 1 only prepares stage 2, unless there is none.
   const bool one_stage = settings.second_iterations == 0;
   phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
-  JointChain second = chain;
-  if (!one_stage) phase(second, *rule, settings.reduced_weights(), settings.second_iterations, settings.tolerance);
-  report.second_stage_reverted = !verify<K>(second, *rule).sound;
-  if (!report.second_stage_reverted) chain = std::move(second);
+  const Weights last_weights = one_stage ? settings.weights : settings.reduced_weights();
+  if (!one_stage) {
+    JointChain second = chain;
+    const double before = ChainSystem<K>(*rule, last_weights).value(chain);
+    phase(second, *rule, last_weights, settings.second_iterations, settings.tolerance);
+    report.second_stage_at_rest = !report.converged && !(ChainSystem<K>(*rule, last_weights).value(second) < before);
+    report.second_stage_reverted = !all_sound(check_segments<K>(second, *rule));
+    if (!report.second_stage_reverted) chain = std::move(second);
+  }
+
+  // The curve by windows, if it is below, is the better start, and never a worse end.
+  ChainSystem<K> exact(finest_gauss_rule(), last_weights);
+  const auto judge = [&](const JointChain& c) {
+    return Judgement{all_sound(check_segments<K>(c, fine_gauss_rule())), exact.value(c)};
+  };
+  const std::optional<JointChain> local = local_chain<K>(bare, input, settings, origin, unit);
+  if (local && below(judge(*local), judge(chain))) {
+    report.from_local = true;
+    report.second_stage_reverted = report.second_stage_at_rest = false;
+    chain = *local;
+    phase(chain, fine_gauss_rule(), last_weights, one_stage ? settings.first_iterations : settings.second_iterations,
+          settings.tolerance);
+    if (below(judge(*local), judge(chain))) chain = *local;
+  }
 
   Spline<K> spline{.t = chain.t};
   for (std::size_t i = 0; i < chain.size(); ++i)

@@ -12,12 +12,15 @@ struct GlobalReport {
   int repaired = 0;  ///< surroundings of bad segments that another start solved better
   bool converged = false;
   bool second_stage_reverted = false;  ///< stage 2 was not sound, and the curve is that of stage 1
+  bool second_stage_at_rest = false;   ///< stage 2 found no step down, and the curve is that of stage 1
+  bool from_local = false;             ///< the curve of mode=local was the better start, or the result
   std::vector<double> trace{};         ///< weighted energy over the number of segments after each phase
 };
 
-/// Minimises the energy of the whole curve at once, open or periodic: no order of insertion, no frozen segments, and a
-/// start that prefers no direction. Linear in the number of points, in time and memory. Segment i passes point i + 1 if
-/// open, point i if closed. Empty if not even a start can be computed.
+/// Minimises the energy of the whole curve at once, open or periodic: no frozen segments, and a start that prefers no
+/// direction. Never above the curve of mode=local in energy, weighted as in stage 2 and in the unit of `settings`, if
+/// that curve is sound: where it is below, it is the start. Linear in the number of points, in time and memory. Segment
+/// i passes point i + 1 if open, point i if closed. Empty if not even a start can be computed.
 template <Continuity K>
 [[nodiscard]] Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report);
 

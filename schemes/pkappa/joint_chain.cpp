@@ -1,11 +1,20 @@
 #include "schemes/pkappa/joint_chain.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "schemes/numerics/bernstein.hpp"
 #include "schemes/numerics/block_tridiagonal.hpp"
 
 namespace kappabench::pkappa {
+
+double JointChain::joint_unit(std::size_t joint) const {
+  if (units.empty()) return 1.0;
+  const std::size_t n = size();
+  if (!cyclic && joint == 0) return units.front();
+  if (!cyclic && joint == n) return units.back();
+  return std::min(units[(joint + n - 1) % n], units[joint]);
+}
 
 void set_boxes(JointChain& chain, std::span<const double> initial_t) {
   chain.t.assign(initial_t.begin(), initial_t.end());
@@ -74,24 +83,32 @@ bool restore_interpolation(JointChain& chain) {
   a.reserve(n);
   for (std::size_t i = 0; i < n; ++i) a.push_back(point_coefficients<K>(chain, i));
 
-  // The least change is A^T y with A A^T y = miss; neighbours share a joint, so A A^T is tridiagonal.
+  // The least change is D A^T y with A D A^T y = miss, D the squared units; neighbours share a joint, so A D A^T is
+  // tridiagonal.
+  std::vector<double> joint_weights;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k)
+    joint_weights.push_back(chain.joint_unit(k) * chain.joint_unit(k));
+  const auto middle_weight = [&](std::size_t i) { return chain.unit(i) * chain.unit(i); };
   BlockTridiagonal<1> gram;
   gram.resize(n);
   gram.cyclic = chain.cyclic;
   std::vector<BlockRight<1, 2>> y(n);
   for (std::size_t i = 0; i < n; ++i) {
-    gram.diagonal[i](0, 0) = a[i].start.squaredNorm() + a[i].end.squaredNorm() + a[i].middle * a[i].middle;
+    gram.diagonal[i](0, 0) = joint_weights[i] * a[i].start.squaredNorm() +
+                             joint_weights[chain.end_joint(i)] * a[i].end.squaredNorm() +
+                             middle_weight(i) * a[i].middle * a[i].middle;
     const std::size_t next = chain.cyclic && i + 1 == n ? 0 : i + 1;
-    if (next < n) gram.upper[i](0, 0) = gram.lower[next](0, 0) = a[i].end.dot(a[next].start);
+    if (next < n) gram.upper[i](0, 0) = gram.lower[next](0, 0) = joint_weights[next] * a[i].end.dot(a[next].start);
     y[i] = (chain.points[i] - polygon<K>(chain, i) * bernstein<L::degree>(chain.t[i])).transpose();
   }
   BlockTridiagonalSolver<1, 2> solver;
   if (!solver.solve(gram, y)) return false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 by = y[i].transpose();
-    move<K>(chain.joints[i], a[i].start, by);
-    move<K>(chain.joints[chain.end_joint(i)], a[i].end, by);
-    if constexpr (L::middle > 0) chain.middles[i] += a[i].middle * by;
+    const std::size_t j = chain.end_joint(i);
+    move<K>(chain.joints[i], a[i].start, joint_weights[i] * by);
+    move<K>(chain.joints[j], a[i].end, joint_weights[j] * by);
+    if constexpr (L::middle > 0) chain.middles[i] += middle_weight(i) * a[i].middle * by;
   }
   return true;
 }

@@ -23,12 +23,16 @@ struct JointChain {
   std::vector<double> t;
   std::vector<double> t_least, t_most;  ///< Wang 2024, Section 4.2: [t^/2, (t^+1)/2]
   std::vector<Vec2> points;
+  std::vector<double> units;  ///< of length in the energy of each segment; empty where all are 1
   bool cyclic = false;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t end_joint(std::size_t segment) const {
     return cyclic && segment + 1 == size() ? 0 : segment + 1;
   }
+  [[nodiscard]] double unit(std::size_t segment) const { return units.empty() ? 1.0 : units[segment]; }
+  /// The smaller one of the segments that meet there: how far a joint may go without spoiling either.
+  [[nodiscard]] double joint_unit(std::size_t joint) const;
 };
 
 /// Sets the boxes of t from initial values.
@@ -37,8 +41,8 @@ void set_boxes(JointChain& chain, std::span<const double> initial_t);
 template <Continuity K>
 [[nodiscard]] ControlPolygon<Layout<K>::degree> polygon(const JointChain& chain, std::size_t segment);
 
-/// Moves joints and middle points as little as possible (in the least-squares sense) so that every segment passes its
-/// point at its t. False if that is impossible. Linear in the number of segments.
+/// Moves joints and middle points as little as possible (in the least-squares sense, over their units) so that every
+/// segment passes its point at its t. False if that is impossible. Linear in the number of segments.
 template <Continuity K>
 [[nodiscard]] bool restore_interpolation(JointChain& chain);
 

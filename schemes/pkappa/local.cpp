@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "schemes/pkappa/published_start.hpp"
+#include "schemes/pkappa/spans.hpp"
 
 namespace kappabench::pkappa {
 
@@ -11,7 +12,7 @@ void LocalReport::add(const WindowReport& window) {
   iterations += window.iterations;
   fallbacks += window.fell_back;
   reverted += window.second_stage_reverted;
-  unsound += !window.verification.sound;
+  unsound += window.checks.empty() || !all_sound(window.checks);
   unfinished += !window.converged;
 }
 
@@ -35,6 +36,7 @@ WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool c
     window.start.control.push_back(spline.control[i]);
     window.start.t.push_back(spline.t[i]);
     window.points.push_back(passed[i]);
+    window.chords.push_back(chord_at(points, closed ? i : i + 1));
   }
   const WindowReport report = solve_window<K>(window, settings);
   for (std::size_t k = 0; k < count; ++k) {
@@ -45,27 +47,103 @@ WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool c
   return report;
 }
 
+/// A part of a spline, judged in the sound unit, whatever unit it was minimised in: with each segment's energy over its
+/// own chords, a window can be held against a wider one.
+struct Judgement {
+  bool sound;
+  double energy;  ///< weighted as in stage 2
+};
+
+bool better(const Judgement& a, const Judgement& b) {
+  constexpr double clearly = 0.999;
+  return a.sound != b.sound ? a.sound : a.energy < clearly * b.energy;
+}
+
+/// The segments of a spline with what they pass: `count` from `first` on.
+template <Continuity K>
+struct Stretch {
+  Spline<K> spline;
+  std::vector<Vec2> points;
+  std::vector<double> units;
+  bool cyclic;
+
+  Stretch(const Spline<K>& whole, std::span<const Vec2> given, bool closed, std::size_t first, std::size_t count)
+      : cyclic(closed && count == whole.t.size()) {
+    const std::span<const Vec2> passed = passed_points(given, closed);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = (first + k) % whole.t.size();
+      spline.control.push_back(whole.control[i]);
+      spline.t.push_back(whole.t[i]);
+      points.push_back(passed[i]);
+      units.push_back(chord_at(given, closed ? i : i + 1));
+    }
+  }
+
+  [[nodiscard]] std::vector<SegmentCheck> checks() const {
+    constexpr int degree = Layout<K>::degree;
+    return check_segments<degree>(std::span<const ControlPolygon<degree>>(spline.control), spline.t, points, units,
+                                  cyclic, fine_gauss_rule());
+  }
+
+  [[nodiscard]] Judgement judge(const Weights& weights) const {
+    SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
+    Judgement judgement{.sound = all_sound(checks()), .energy = 0.0};
+    for (std::size_t i = 0; i < spline.t.size(); ++i)
+      judgement.energy += energy.terms(spline.control[i], spline.t[i]).weighted(weights.in(units[i]));
+    return judgement;
+  }
+};
+
+/// The most segments that a window is widened to.
+constexpr std::size_t widest = 15;
+
+/// Solves a wider window, and keeps what is better. Returns whether all in it is good.
+template <Continuity K>
+bool improve(Spline<K>& spline, std::span<const Vec2> points, bool closed, std::size_t first, std::size_t count,
+             const WindowSettings& settings, LocalReport& report) {
+  Spline<K> attempt = spline;
+  const WindowReport window = solve_range<K>(attempt, points, closed, first, count, settings);
+  report.add(window);
+  const auto judge = [&](const Spline<K>& s) {
+    return Stretch<K>(s, points, closed, first, count).judge(settings.reduced_weights());
+  };
+  if (!better(judge(attempt), judge(spline))) return false;
+  ++report.widened;
+  spline = std::move(attempt);
+  return all_good(window.checks);
+}
+
 /// Solves the window of an insertion, three segments: the last ones of an open spline, or those round the first point
 /// of a closed one. What a frozen segment makes impossible may be possible without it: a bad window is widened.
 template <Continuity K>
 void solve_and_widen(Spline<K>& spline, std::span<const Vec2> points, bool closed, const WindowSettings& settings,
                      LocalReport& report) {
-  constexpr std::size_t usual = 3, widest = 7;
+  constexpr std::size_t usual = 3, wide = 7;
   const std::size_t n = spline.t.size();
-  const auto solve = [&](Spline<K>& attempt, std::size_t count) {
-    const std::size_t first = closed ? n - count / 2 : n - count;
-    const WindowReport window = solve_range<K>(attempt, points, closed, first, count, settings);
-    report.add(window);
-    return window.verification;
-  };
-  Verification best = solve(spline, std::min(n, usual));
-  for (std::size_t count = usual + 2; settings.robust && !best.good() && count <= std::min(n, widest); count += 2) {
-    Spline<K> attempt = spline;
-    const Verification found = solve(attempt, count);
-    if (found.sound < best.sound || !(found.worst_parabola < best.worst_parabola)) continue;
-    ++report.widened;
-    spline = std::move(attempt);
-    best = found;
+  const auto first = [&](std::size_t count) { return closed ? n - count / 2 : n - count; };
+  const std::size_t least = std::min(n, usual);
+  const WindowReport window = solve_range<K>(spline, points, closed, first(least), least, settings);
+  report.add(window);
+  if (!settings.robust || all_good(window.checks)) return;
+  for (std::size_t count = usual + 2; count <= std::min(n, wide); count += 2)
+    if (improve<K>(spline, points, closed, first(count), count, settings, report)) return;
+}
+
+/// What the insertions left behind and none of the later windows mended: solves ever wider windows round every segment
+/// that is not good.
+template <Continuity K>
+void mend(Spline<K>& spline, std::span<const Vec2> points, bool closed, const WindowSettings& settings,
+          LocalReport& report) {
+  if (!settings.robust) return;
+  const std::size_t n = spline.t.size();
+  const std::vector<SegmentCheck> checks = Stretch<K>(spline, points, closed, 0, n).checks();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (checks[i].good()) continue;
+    for (std::size_t count = 7; count <= widest; count += 4) {
+      const std::size_t reach = count / 2, here = std::min(count, n);
+      const std::size_t first = closed ? (i + n - std::min(reach, n)) % n : std::min(i - std::min(i, reach), n - here);
+      if (improve<K>(spline, points, closed, first, here, settings, report) || here == n) break;
+    }
   }
 }
 
@@ -185,6 +263,7 @@ template <Continuity K>
 Spline<K> construct_open(std::span<const Vec2> points, const WindowSettings& settings, LocalReport& report) {
   Spline<K> spline;
   for (std::size_t n = 3; n <= points.size(); ++n) append<K>(spline, points.first(n), settings, report);
+  mend<K>(spline, points, false, settings, report);
   return spline;
 }
 
@@ -193,7 +272,9 @@ Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& s
   // The open curve on to the first point again, whose segment then comes between the last and the first.
   std::vector<Vec2> round(points.begin(), points.end());
   round.push_back(points.front());
-  const Spline<K> open = construct_open<K>(round, settings, report);
+  Spline<K> open;
+  for (std::size_t n = 3; n <= round.size(); ++n)
+    append<K>(open, std::span<const Vec2>(round).first(n), settings, report);
   const Spline<K> three = between<K>(open.control.back(), open.t.back(), points.back(), points.front(),
                                      open.control.front(), open.t.front(), points[1]);
   Spline<K> closed;
@@ -204,6 +285,7 @@ Spline<K> construct_closed(std::span<const Vec2> points, const WindowSettings& s
   closed.control.push_back(three.control[0]);
   closed.t.push_back(three.t[0]);
   solve_and_widen<K>(closed, points, true, settings, report);
+  mend<K>(closed, points, true, settings, report);
   return closed;
 }
 

@@ -12,7 +12,7 @@ struct LocalReport {
   int windows = 0;
   int iterations = 0;
   int fallbacks = 0;   ///< windows that needed other starts than the usual two
-  int widened = 0;     ///< insertions whose window was widened beyond three segments
+  int widened = 0;     ///< windows beyond three segments that made the curve better
   int reverted = 0;    ///< windows that kept stage 1
   int unsound = 0;     ///< windows whose result failed verification; a later one may have mended it
   int unfinished = 0;  ///< windows that met the iteration limit in stage 1

@@ -45,7 +45,7 @@ std::optional<double> search(const Form& margin, const Form& along, double from,
 }  // namespace
 
 template <int Degree>
-std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double width) {
+std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double width, double rest) {
   std::array<double, Degree + 1> px, py;
   for (int i = 0; i <= Degree; ++i) {
     px[static_cast<std::size_t>(i)] = control(0, i);
@@ -57,12 +57,15 @@ std::optional<double> near_cusp(const ControlPolygon<Degree>& control, double wi
   const Form one_squared{1.0, 2.0, 1.0};  // (s + t)^2 raises the degree of |c''|^2 to that of |c'|^2
   Form second = product(sum(product(x2, x2), product(y2, y2)), one_squared);
   for (double& coefficient : second) coefficient *= width * width;
-  const Form margin = difference(velocity.speed_squared(), second);
+  Form at_rest{1.0};
+  for (int raised = 1; raised < Degree; ++raised) at_rest = product(at_rest, one_squared);
+  for (double& coefficient : at_rest) coefficient *= rest * rest / (Degree * Degree);
+  const Form margin = difference(velocity.speed_squared(), sum(second, at_rest));
   const Form along = sum(product(x1, x2), product(y1, y2));  // c' . c'', half the slope of |c'|^2
   return search(margin, along, 0.0, 1.0);
 }
 
-template std::optional<double> near_cusp<4>(const ControlPolygon<4>&, double);
-template std::optional<double> near_cusp<5>(const ControlPolygon<5>&, double);
+template std::optional<double> near_cusp<4>(const ControlPolygon<4>&, double, double);
+template std::optional<double> near_cusp<5>(const ControlPolygon<5>&, double, double);
 
 }  // namespace kappabench::pkappa

@@ -8,12 +8,14 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "schemes/api/registry.hpp"
 #include "schemes/pkappa/global.hpp"
 #include "schemes/pkappa/local.hpp"
 #include "schemes/pkappa/soundness.hpp"
+#include "schemes/pkappa/spans.hpp"
 #include "schemes/segments/open_curve.hpp"
 #include "schemes/segments/polynomial.hpp"
 
@@ -39,8 +41,9 @@ std::vector<ParameterSpec> parameter_specs() {
        .choices = {"local", "global", "paper"}},
       {.name = "unit",
        .default_value = std::string("auto"),
-       .help = "unit of length in the energies: the mean chord, or that of the input; auto is paper for mode=paper",
-       .choices = {"auto", "chord", "paper"}},
+       .help = "unit of length in the energies: each span's own chords, the mean chord, or that of the input; auto is "
+               "paper for mode=paper, else span",
+       .choices = {"auto", "span", "chord", "paper"}},
       {.name = "lambda_e", .default_value = 0.1, .help = "weight of the differences of edges, Eq. (4)", .least = 0.0},
       {.name = "lambda_c", .default_value = 0.1, .help = "weight of the edges, Eq. (5)", .least = 0.0},
       {.name = "quadrature",
@@ -83,12 +86,19 @@ auto with_continuity(Continuity continuity, F f) {
 
 bool is_global(const Parameters& parameters) { return parameters.text("mode") == "global"; }
 
+pkappa::Unit unit_of(const Parameters& parameters) {
+  const std::string& word = parameters.text("unit");
+  if (word == "auto") return parameters.text("mode") == "paper" ? pkappa::Unit::paper : pkappa::Unit::span;
+  if (word == "paper") return pkappa::Unit::paper;
+  return word == "chord" ? pkappa::Unit::chord : pkappa::Unit::span;
+}
+
 WindowSettings settings_of(const Parameters& parameters) {
   const bool printed = parameters.text("mode") == "paper";
-  const std::string &unit = parameters.text("unit"), &quadrature = parameters.text("quadrature");
+  const std::string& quadrature = parameters.text("quadrature");
   WindowSettings s;
   s.weights = {parameters.real("lambda_e"), parameters.real("lambda_c")};
-  s.raw_units = unit == "paper" || (unit == "auto" && printed);
+  s.unit = unit_of(parameters);
   s.rule =
       quadrature == "simpson201" || (quadrature == "auto" && printed) ? &pkappa::simpson_rule() : &pkappa::gauss_rule();
   s.robust = !printed;
@@ -105,11 +115,10 @@ WindowSettings settings_of(const Parameters& parameters) {
 }
 
 SchemeInfo adapt(SchemeInfo info, const Parameters& parameters) {
-  const std::string& unit = parameters.text("unit");
-  const bool global = is_global(parameters), printed = parameters.text("mode") == "paper";
+  const bool global = is_global(parameters);
   info.traits.continuity = continuity_of(parameters);
-  info.traits.similarity_invariant = unit == "chord" || (unit == "auto" && !printed);
-  info.traits.reversal_invariant = info.traits.cyclic_shift_invariant = info.traits.refit_is_fit = global;
+  info.traits.similarity_invariant = unit_of(parameters) != pkappa::Unit::paper;
+  info.traits.refit_is_fit = global;
   return info;
 }
 
@@ -172,20 +181,22 @@ Fit finish(const Input& input, const Spline<K>& spline, int iterations) {
   const bool interpolates = fit.report.residual <= accuracy;
   constexpr int degree = Layout<K>::degree;
   const std::span<const Vec2> points(input.points);
-  const pkappa::Verification verified =
-      pkappa::verify<degree>(std::span<const ControlPolygon<degree>>(spline.control), spline.t,
-                             input.closed ? points : points.subspan(1), mean_chord(input), pkappa::fine_gauss_rule());
-  fit.report.outcome = verified.sound && interpolates ? Outcome::converged : Outcome::not_converged;
+  const std::vector<pkappa::SegmentCheck> checks = pkappa::check_segments<degree>(
+      std::span<const ControlPolygon<degree>>(spline.control), spline.t, input.closed ? points : points.subspan(1),
+      pkappa::chords_of(points, input.closed), input.closed, pkappa::fine_gauss_rule());
+  const auto unsound = std::ranges::find(checks, false, &pkappa::SegmentCheck::sound);
+  const bool sound = unsound == checks.end();
+  fit.report.outcome = sound && interpolates ? Outcome::converged : Outcome::not_converged;
   if (!interpolates)
     fit.report.message = fmt::format("misses its points by {:.2g} mean chords", fit.report.residual);
-  else if (verified.near_cusp)
+  else if (!sound && unsound->near_cusp)
     fit.report.message = fmt::format("segment {} has a near-cusp at t = {:.6g}, too narrow for the quadrature",
-                                     verified.unsound_segment, *verified.near_cusp);
-  else if (!verified.sound)
+                                     unsound - checks.begin(), *unsound->near_cusp);
+  else if (!sound)
     fit.report.message = fmt::format(
         "segment {} has a cusp, a tight loop or a far detour that the quadrature does not "
         "see",
-        verified.unsound_segment);
+        unsound - checks.begin());
   return fit;
 }
 
@@ -196,6 +207,13 @@ Fit finish_local(const Input& input, const Spline<K>& spline, const pkappa::Loca
                          {"widened", report.widened},         {"stage2_reverted", report.reverted},
                          {"unsound_windows", report.unsound}, {"iteration_limit", report.unfinished}};
   return fit;
+}
+
+/// In words if the curve is that of stage 1, else empty.
+std::string where_it_rests(const pkappa::GlobalReport& report) {
+  if (report.second_stage_reverted) return "rests on stage 1: stage 2 was not sound";
+  if (report.second_stage_at_rest) return "rests on stage 1: stage 2 found no step down";
+  return "";
 }
 
 }  // namespace
@@ -212,7 +230,7 @@ SchemeInfo PkappaScheme::describe() {
                      .reversal_invariant = false,
                      .cyclic_shift_invariant = false,
                      .refit_is_fit = false},
-          .version = 2,
+          .version = 3,
           .libraries = pkappa::solver_libraries()};
 }
 
@@ -232,8 +250,11 @@ Fit PkappaScheme::solve(const Input& input) const {
       const Spline<K> spline = pkappa::solve_globally<K>(input, settings, report);
       Fit fit = finish<K>(input, spline, report.iterations);
       fit.report.trace = std::move(report.trace);
+      if (fit.report.message.empty()) fit.report.message = where_it_rests(report);
       fit.report.counters = {{"repaired", report.repaired},
+                             {"from_local", report.from_local ? 1 : 0},
                              {"stage2_reverted", report.second_stage_reverted ? 1 : 0},
+                             {"stage2_at_rest", report.second_stage_at_rest ? 1 : 0},
                              {"iteration_limit", report.converged ? 0 : 1}};
       return fit;
     }

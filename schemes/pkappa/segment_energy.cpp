@@ -164,6 +164,8 @@ void SegmentEnergy<Degree>::normal(const ControlPolygon<Degree>& control, double
   // The part of the derivatives that the parabola cannot take up; the residual has no other.
   const Eigen::Matrix<double, size, 2> taken = by_parabola * parabola_gram_.inverse();
   out.hessian.noalias() -= taken.lazyProduct(by_parabola.transpose());
+  out.hessian *= weights.parabola;
+  out.gradient *= weights.parabola;
 
   const Edges<Degree> e = edges_of<Degree>(control);
   add_edges<Degree>(e, weights.edges, out);
@@ -180,8 +182,9 @@ void SegmentEnergy<Degree>::rows(const ControlPolygon<Degree>& control, double t
   jacobian.setZero(residuals.size(), size);
   const auto by_parabola = table_.template rightCols<2>();
   const Eigen::MatrixXd taken = parabola_gram_.inverse() * (by_parabola.transpose() * table_.template leftCols<size>());
-  residuals.head(nodes) = residual_.matrix();
-  jacobian.topRows(nodes) = table_.template leftCols<size>() - by_parabola * taken;
+  const double parabola_root = std::sqrt(weights.parabola);
+  residuals.head(nodes) = parabola_root * residual_.matrix();
+  jacobian.topRows(nodes) = parabola_root * (table_.template leftCols<size>() - by_parabola * taken);
 
   const Edges<Degree> e = edges_of<Degree>(control);
   const double edge_root = std::sqrt(weights.edges), length_root = std::sqrt(weights.length);

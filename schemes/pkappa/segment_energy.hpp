@@ -11,10 +11,18 @@ namespace kappabench::pkappa {
 template <int Degree>
 using ControlPolygon = Eigen::Matrix<double, 2, Degree + 1>;
 
-/// The weights lambda_e and lambda_c of Wang 2024, Eq. (9).
+/// The weights lambda_e and lambda_c of Wang 2024, Eq. (9), and that of E_p, which is 1 there.
 struct Weights {
   double edges;
   double length;
+  double parabola = 1.0;
+
+  /// Those that give a segment the weighted energy that it has with lengths over `unit`: E_e is a length to the
+  /// fourth power, E_c one to the second and E_p one to the power of -1.
+  [[nodiscard]] Weights in(double unit) const {
+    const double squared = unit * unit;
+    return {edges / (squared * squared), length / squared, parabola * unit};
+  }
 };
 
 /// Q(t) = vertex_value + steepness (t - t_i)^2: Wang's parabola with its vertex at t_i by construction, so that
@@ -30,7 +38,9 @@ struct EnergyTerms {
   double edges = 0.0;
   double length = 0.0;
 
-  [[nodiscard]] double weighted(const Weights& w) const { return parabola + w.edges * edges + w.length * length; }
+  [[nodiscard]] double weighted(const Weights& w) const {
+    return w.parabola * parabola + w.edges * edges + w.length * length;
+  }
 };
 
 /// The weighted energy of one segment to second order in its control points (x_0, y_0, ..., x_k, y_k) and t_i, halved.

@@ -2,57 +2,95 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "schemes/pkappa/near_cusp.hpp"
+#include "schemes/pkappa/published_start.hpp"
 #include "schemes/pkappa/segment_energy.hpp"
 
 namespace kappabench::pkappa {
+namespace {
 
 template <int Degree>
-Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
-                    std::span<const Vec2> points, double unit, const QuadratureRule& rule) {
+double polygon_length(const ControlPolygon<Degree>& c) {
+  return (c.template rightCols<Degree>() - c.template leftCols<Degree>()).colwise().norm().sum();
+}
+
+/// Control polygons over chords: from the first joint to the first point, of every span, from the last point to the
+/// last joint; over a closed curve that last piece and the first one are a span.
+template <int Degree>
+void find_detours(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
+                  std::span<const Vec2> points, bool cyclic, std::vector<SegmentCheck>& checks) {
+  const std::size_t n = control.size();
+  std::vector<double> before(n), after(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    before[i] = polygon_length<Degree>(part<Degree>(control[i], 0.0, t[i]));
+    after[i] = polygon_length<Degree>(part<Degree>(control[i], t[i], 1.0));
+  }
+  const auto note = [&](std::size_t i, double length, double chord) {
+    checks[i].detour = std::max(checks[i].detour, length / chord);
+  };
+  for (std::size_t i = 0; i + 1 < n || (cyclic && i < n); ++i) {
+    const std::size_t next = i + 1 < n ? i + 1 : 0;
+    const double length = after[i] + before[next], chord = (points[next] - points[i]).norm();
+    note(i, length, chord);
+    note(next, length, chord);
+  }
+  if (cyclic) return;
+  note(0, before.front(), (control.front().col(0) - points.front()).norm());
+  note(n - 1, after.back(), (control.back().col(Degree) - points[n - 1]).norm());
+}
+
+}  // namespace
+
+template <int Degree>
+std::vector<SegmentCheck> check_segments(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
+                                         std::span<const Vec2> points, std::span<const double> units, bool cyclic,
+                                         const QuadratureRule& rule) {
   constexpr double agreement = 0.02, negligible = 1e-6, longest = 3.0, vanished = 1e-6;
   // Turns within less than the mean distance of nodes may lie between them.
   const double narrow = 1.0 / static_cast<double>(finest_gauss_rule().nodes().size());
   SegmentEnergy<Degree> coarse(rule), fine(finest_gauss_rule());
-  Verification v{.sound = true};
+  std::vector<SegmentCheck> checks(control.size());
   for (std::size_t i = 0; i < control.size(); ++i) {
     const ControlPolygon<Degree>& c = control[i];
+    const double unit = units[i];
     const double expected = unit * coarse.terms(c, t[i]).parabola, found = unit * fine.terms(c, t[i]).parabola;
-    bool sound = std::abs(found - expected) <= agreement * found + negligible;
     const double shortest = std::min((c.col(1) - c.col(0)).norm(), (c.col(Degree) - c.col(Degree - 1)).norm());
-    sound = sound && shortest > vanished * unit;
-    double edges = 0.0;
-    for (int j = 0; j < Degree; ++j) edges += (c.col(j + 1) - c.col(j)).norm();
     const double direct = (c.col(0) - points[i]).norm() + (c.col(Degree) - points[i]).norm();
-    sound = sound && edges <= longest * direct;
-    const std::optional<double> cusp = near_cusp<Degree>(c, narrow);
-    if ((!sound || cusp) && v.sound) {
-      v.sound = false;
-      v.unsound_segment = static_cast<int>(i);
-      v.near_cusp = cusp;
-    }
-    v.worst_parabola = std::max(v.worst_parabola, found);
+    checks[i].parabola = found;
+    checks[i].near_cusp = near_cusp<Degree>(c, narrow, Degree * vanished * unit);
+    checks[i].sound = std::abs(found - expected) <= agreement * found + negligible && shortest > vanished * unit &&
+                      polygon_length<Degree>(c) <= longest * direct && !checks[i].near_cusp;
   }
-  return v;
+  find_detours<Degree>(control, t, points, cyclic, checks);
+  return checks;
 }
 
 template <Continuity K>
-Verification verify(const JointChain& chain, const QuadratureRule& rule) {
+std::vector<SegmentCheck> check_segments(const JointChain& chain, const QuadratureRule& rule) {
   constexpr int degree = Layout<K>::degree;
   std::vector<ControlPolygon<degree>> control;
-  for (std::size_t i = 0; i < chain.size(); ++i) control.push_back(polygon<K>(chain, i));
-  return verify<degree>(std::span<const ControlPolygon<degree>>(control), chain.t, chain.points, 1.0, rule);
+  std::vector<double> units;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    control.push_back(polygon<K>(chain, i));
+    units.push_back(chain.unit(i));
+  }
+  return check_segments<degree>(std::span<const ControlPolygon<degree>>(control), chain.t, chain.points, units,
+                                chain.cyclic, rule);
 }
 
-template Verification verify<4>(std::span<const ControlPolygon<4>>, std::span<const double>, std::span<const Vec2>,
-                                double, const QuadratureRule&);
-template Verification verify<5>(std::span<const ControlPolygon<5>>, std::span<const double>, std::span<const Vec2>,
-                                double, const QuadratureRule&);
-template Verification verify<Continuity::c1>(const JointChain&, const QuadratureRule&);
-template Verification verify<Continuity::g1>(const JointChain&, const QuadratureRule&);
-template Verification verify<Continuity::c2>(const JointChain&, const QuadratureRule&);
-template Verification verify<Continuity::g2>(const JointChain&, const QuadratureRule&);
+bool all_sound(std::span<const SegmentCheck> checks) { return std::ranges::all_of(checks, &SegmentCheck::sound); }
+bool all_good(std::span<const SegmentCheck> checks) { return std::ranges::all_of(checks, &SegmentCheck::good); }
+
+template std::vector<SegmentCheck> check_segments<4>(std::span<const ControlPolygon<4>>, std::span<const double>,
+                                                     std::span<const Vec2>, std::span<const double>, bool,
+                                                     const QuadratureRule&);
+template std::vector<SegmentCheck> check_segments<5>(std::span<const ControlPolygon<5>>, std::span<const double>,
+                                                     std::span<const Vec2>, std::span<const double>, bool,
+                                                     const QuadratureRule&);
+template std::vector<SegmentCheck> check_segments<Continuity::c1>(const JointChain&, const QuadratureRule&);
+template std::vector<SegmentCheck> check_segments<Continuity::g1>(const JointChain&, const QuadratureRule&);
+template std::vector<SegmentCheck> check_segments<Continuity::c2>(const JointChain&, const QuadratureRule&);
+template std::vector<SegmentCheck> check_segments<Continuity::g2>(const JointChain&, const QuadratureRule&);
 
 }  // namespace kappabench::pkappa

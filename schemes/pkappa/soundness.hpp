@@ -2,32 +2,38 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "schemes/pkappa/joint_chain.hpp"
 
 namespace kappabench::pkappa {
 
-/// What a finer rule finds in a result.
-struct Verification {
-  /// E_p of every segment agrees with that on the rule it was minimised with (a cusp or a tight loop between nodes
-  /// would show), none has a near-cusp so narrow that the finest rule's nodes may miss it, no control polygon is much
-  /// longer than the points demand, and none has lost an edge at a joint, and with it the tangent.
+/// What a finer rule finds in a segment. Lengths are over the segment's own unit.
+struct SegmentCheck {
+  /// E_p agrees with that on the rule it was minimised with (a cusp or a tight loop between nodes would show), there is
+  /// no near-cusp so narrow that the finest rule's nodes may miss it, |c'| is nowhere below 5e-6, the control polygon
+  /// is not much longer than the points demand, and it has not lost an edge at a joint, and with it the tangent.
   bool sound = false;
-  double worst_parabola = 0.0;        ///< the largest E_p of a segment
-  int unsound_segment = -1;           ///< the first that is not sound
-  std::optional<double> near_cusp{};  ///< where its near-cusp is, if that is why
+  double parabola = 0.0;              ///< E_p
+  double detour = 0.0;                ///< of the spans on its two sides, control polygon over chord, the larger one
+  std::optional<double> near_cusp{};  ///< where
 
-  /// Good enough, in units of the mean chord, not to look for anything better.
-  [[nodiscard]] bool good() const { return sound && worst_parabola < 0.05; }
+  /// Good enough not to look for anything better.
+  [[nodiscard]] bool good() const { return sound && parabola < 0.05 && detour < 1.35; }
 };
 
-/// Of segments that pass `points` at `t`; lengths are taken over `unit`.
+/// Of segments that pass `points` at `t`, the last one followed by the first if `cyclic`.
 template <int Degree>
-[[nodiscard]] Verification verify(std::span<const ControlPolygon<Degree>> control, std::span<const double> t,
-                                  std::span<const Vec2> points, double unit, const QuadratureRule& rule);
+[[nodiscard]] std::vector<SegmentCheck> check_segments(std::span<const ControlPolygon<Degree>> control,
+                                                       std::span<const double> t, std::span<const Vec2> points,
+                                                       std::span<const double> units, bool cyclic,
+                                                       const QuadratureRule& rule);
 
-/// Of a chain, which has the unit 1.
+/// The same of a chain, in the units of its segments.
 template <Continuity K>
-[[nodiscard]] Verification verify(const JointChain& chain, const QuadratureRule& rule);
+[[nodiscard]] std::vector<SegmentCheck> check_segments(const JointChain& chain, const QuadratureRule& rule);
+
+[[nodiscard]] bool all_sound(std::span<const SegmentCheck> checks);
+[[nodiscard]] bool all_good(std::span<const SegmentCheck> checks);
 
 }  // namespace kappabench::pkappa

@@ -112,10 +112,11 @@ std::optional<JointChain> fair_start(const JointChain& given) {
     const std::size_t j = chain.end_joint(i);
     const auto basis = bernstein<L::degree>(chain.t[i]);
     const Eigen::RowVector3d from_start = basis.transpose() * map.start, from_end = basis.transpose() * map.end;
-    system.diagonal[i].topLeftCorner<unknowns, unknowns>() += start_start;
-    system.diagonal[j].topLeftCorner<unknowns, unknowns>() += end_end;
-    system.upper[i].topLeftCorner<unknowns, unknowns>() += start_end;
-    system.lower[j].topLeftCorner<unknowns, unknowns>() += start_end.transpose();
+    const double weight = 1.0 / (chain.unit(i) * chain.unit(i));
+    system.diagonal[i].topLeftCorner<unknowns, unknowns>() += weight * start_start;
+    system.diagonal[j].topLeftCorner<unknowns, unknowns>() += weight * end_end;
+    system.upper[i].topLeftCorner<unknowns, unknowns>() += weight * start_end;
+    system.lower[j].topLeftCorner<unknowns, unknowns>() += weight * start_end.transpose();
     system.diagonal[i].block<1, unknowns>(multiplier, 0) += from_start;
     system.diagonal[i].block<unknowns, 1>(0, multiplier) += from_start.transpose();
     system.upper[i].block<1, unknowns>(multiplier, 0) += from_end;

@@ -9,8 +9,8 @@ namespace kappabench::pkappa {
 /// Starts that prefer neither end of a chain. Each takes a chain whose points and unfree joints are set, and gives that
 /// problem with values for all that is free and boxes around its own t; nothing if its linear system is singular.
 
-/// The control polygons of least bending, sum |c_{j+1} - 2 c_j + c_{j-1}|^2, among all C1 or C2 chains that pass the
-/// points at t of the chord lengths.
+/// The control polygons of least bending, sum |c_{j+1} - 2 c_j + c_{j-1}|^2 over their squared units, among all C1 or
+/// C2 chains that pass the points at t of the chord lengths.
 template <Continuity K>
 [[nodiscard]] std::optional<JointChain> fair_start(const JointChain& given);
 

@@ -11,7 +11,7 @@ template <Continuity K>
 double ChainSystem<K>::value(const JointChain& chain) {
   double sum = 0.0;
   for (std::size_t i = 0; i < chain.size(); ++i)
-    sum += energy_.terms(polygon<K>(chain, i), chain.t[i]).weighted(weights_);
+    sum += energy_.terms(polygon<K>(chain, i), chain.t[i]).weighted(weights_.in(chain.unit(i)));
   return sum;
 }
 
@@ -28,15 +28,16 @@ double ChainSystem<K>::linearise(const JointChain& chain, const Step& last) {
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    energy_.normal(polygon<K>(chain, i), chain.t[i], weights_, normal_);
-    sum += normal_.terms.weighted(weights_);
+    const Weights weights = weights_.in(chain.unit(i));
+    energy_.normal(polygon<K>(chain, i), chain.t[i], weights, normal_);
+    sum += normal_.terms.weighted(weights);
     add_segment(chain, i);
     add_constraint<K>(chain, i, model_);
     if (!exact_) continue;
     const Vec2 multiplier = last.empty() ? Vec2::Zero() : Vec2(last[i].template segment<2>(Layout<K>::multiplier_at));
     add_curvature<K>(chain, i, normal_.gradient, multiplier, model_);
   }
-  scale_damping();
+  scale_damping(chain);
   return sum;
 }
 
@@ -93,7 +94,7 @@ void ChainSystem<K>::add_segment(const JointChain& chain, std::size_t i) {
 
 /// Marquardt's diagonal, the same for both coordinates of a vector so that turning the input turns the result.
 template <Continuity K>
-void ChainSystem<K>::scale_damping() {
+void ChainSystem<K>::scale_damping(const JointChain& chain) {
   using L = Layout<K>;
   constexpr double least = 1e-2;
   model_.scale.assign(model_.matrix.size(), Vector::Zero());
@@ -105,7 +106,12 @@ void ChainSystem<K>::scale_damping() {
     };
     for (int v = 0; v < L::vectors; ++v) average(2 * v);
     if constexpr (L::middle > 0) average(L::middle_at);
-    for (int v = 0; v < L::multiplier_at; ++v) model_.scale[k][v] = std::max(model_.scale[k][v], least);
+    const double joint_unit = chain.joint_unit(k), own_unit = k < chain.size() ? chain.unit(k) : 1.0;
+    for (int v = 0; v < L::multiplier_at; ++v) {
+      const bool of_joint = v < 2 * L::vectors, of_middle = v >= L::middle_at && v < L::parameter_at;
+      const double unit = of_joint ? joint_unit : of_middle ? own_unit : 1.0;
+      model_.scale[k][v] = std::max(model_.scale[k][v], least / (unit * unit));
+    }
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace kappabench::pkappa {
 
-/// The weighted energy of a chain (Wang 2024, Eq. (6)), to second order in its unknowns, subject to interpolation.
-/// Holds its workspace between calls.
+/// The weighted energy of a chain (Wang 2024, Eq. (6), each segment in its own unit), to second order in its unknowns,
+/// subject to interpolation. Holds its workspace between calls.
 template <Continuity K>
 class ChainSystem {
  public:
@@ -43,7 +43,7 @@ class ChainSystem {
 
  private:
   void add_segment(const JointChain& chain, std::size_t i);
-  void scale_damping();
+  void scale_damping(const JointChain& chain);
 
   SegmentEnergy<Layout<K>::degree> energy_;
   Weights weights_;

@@ -39,12 +39,15 @@ struct Frame {
 };
 
 template <Continuity K>
-JointChain chain_in(const Frame& frame, const Window<K>& window) {
+JointChain chain_in(const Frame& frame, const Window<K>& window, Unit unit) {
   std::vector<ControlPolygon<Layout<K>::degree>> control;
   for (const auto& c : window.start.control) control.push_back(frame.into(c));
   std::vector<Vec2> points;
   for (const Vec2& p : window.points) points.emplace_back((p - frame.origin) / frame.unit);
-  return chain_of<K>(control, window.start.t, points, window.first, window.last);
+  JointChain chain = chain_of<K>(control, window.start.t, points, window.first, window.last);
+  if (unit == Unit::span)
+    for (const double chord : window.chords) chain.units.push_back(chord / frame.unit);
+  return chain;
 }
 
 template <Continuity K>
@@ -57,7 +60,7 @@ std::optional<JointChain> published_start(const JointChain& given) {
 struct Candidate {
   JointChain chain;
   double energy = std::numeric_limits<double>::infinity();
-  Verification verification;
+  bool sound = false, good = false;
   bool converged = false;
 };
 
@@ -79,9 +82,10 @@ class FirstStage {
     }
     if (!std::isfinite(candidate.energy)) return;
     if (starts.size() > 1) candidate.energy = minimise(candidate, rule, settings_.tolerance);
-    candidate.verification = verify<K>(candidate.chain, rule);
-    const bool sound = candidate.verification.sound;
-    const bool better = sound != best_.verification.sound ? sound : candidate.energy < best_.energy;
+    const std::vector<SegmentCheck> checks = check_segments<K>(candidate.chain, rule);
+    candidate.sound = all_sound(checks);
+    candidate.good = all_good(checks);
+    const bool better = candidate.sound != best_.sound ? candidate.sound : candidate.energy < best_.energy;
     if (better) best_ = std::move(candidate);
   }
 
@@ -106,21 +110,22 @@ class FirstStage {
 template <Continuity K>
 WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
   WindowReport report;
-  const Frame frame{settings.raw_units ? Vec2::Zero() : window.points.front(),
-                    settings.raw_units ? 1.0 : window_unit(window)};
-  const JointChain given = chain_in<K>(frame, window);
+  const bool raw = settings.unit == Unit::paper;
+  const Frame frame{raw ? Vec2::Zero() : window.points.front(), raw ? 1.0 : window_unit(window)};
+  const JointChain given = chain_in<K>(frame, window, settings.unit);
 
   FirstStage<K> first_stage(settings, report);
   std::vector<std::optional<JointChain>> starts{published_start<K>(given)};
   if (settings.robust) starts.push_back(fair_start<K>(given));
   first_stage.run(starts, *settings.rule);
-  if (settings.robust && !first_stage.best().verification.sound) {
+  if (settings.robust && !first_stage.best().good) {
     report.fell_back = true;
     starts.push_back(polygonal_start<K>(given));
-    for (const auto& start : starts) first_stage.run({&start, 1}, fine_gauss_rule());
+    first_stage.run({&starts.back(), 1}, *settings.rule);
+    if (!first_stage.best().sound)
+      for (const auto& start : starts) first_stage.run({&start, 1}, fine_gauss_rule());
   }
   const Candidate& best = first_stage.best();
-  report.verification = best.verification;
   report.converged = best.converged;
   report.first_energy = best.energy;
   if (!std::isfinite(best.energy)) return report;
@@ -133,13 +138,15 @@ WindowReport solve_window(Window<K>& window, const WindowSettings& settings) {
     const Minimum m = minimise<K>(settings.solver, second, *rule,
                                   {settings.reduced_weights(), settings.second_iterations, settings.tolerance});
     report.iterations += m.iterations;
-    const Verification verification = verify<K>(second, *rule);
-    if (settings.robust && !verification.sound) continue;
+    std::vector<SegmentCheck> checks = check_segments<K>(second, *rule);
+    if (settings.robust && !all_sound(checks)) continue;
     result = std::move(second);
-    report.verification = verification;
+    report.checks = std::move(checks);
     report.second_stage_reverted = false;
     break;
   }
+
+  if (report.second_stage_reverted) report.checks = check_segments<K>(result, fine_gauss_rule());
 
   const Spline<K> old = window.start;
   for (std::size_t i = 0; i < result.size(); ++i) {

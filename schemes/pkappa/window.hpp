@@ -15,12 +15,19 @@ struct Spline {
   std::vector<double> t;
 };
 
+/// The unit of length in the energies.
+enum class Unit {
+  span,   ///< for each segment the mean of the two chords at its point
+  chord,  ///< the mean chord, of the window or of the whole curve
+  paper   ///< that of the input
+};
+
 /// How a window is solved: the scheme's options.
 struct WindowSettings {
   Weights weights{0.1, 0.1};
   const QuadratureRule* rule = &gauss_rule();
   Solver solver = Solver::lm;
-  bool raw_units = false;       ///< else lengths over the window's mean chord
+  Unit unit = Unit::span;
   bool robust = true;           ///< a second start, verification and fallbacks; else as printed
   double second_weights = 0.1;  ///< factor of the weights in stage 2
   int first_iterations = 100;
@@ -38,6 +45,7 @@ template <Continuity K>
 struct Window {
   Spline<K> start;  ///< the published start; its outermost control points are those of ends that are fixed
   std::vector<Vec2> points;
+  std::vector<double> chords;  ///< for each segment the mean of the two chords at its point
   Freedom first = Freedom::none, last = Freedom::none;
 };
 
@@ -46,8 +54,8 @@ struct WindowReport {
   bool fell_back = false;
   bool second_stage_reverted = false;
   bool converged = true;
-  double first_energy = 0.0;    ///< weighted, after stage 1, in the window's unit
-  Verification verification{};  ///< of the result
+  double first_energy = 0.0;           ///< weighted, after stage 1, in the window's unit
+  std::vector<SegmentCheck> checks{};  ///< of the result; empty if there is none
 };
 
 /// Solves the window in two stages (Wang 2024, Section 5.3) and replaces `window.start` by the result. Control points

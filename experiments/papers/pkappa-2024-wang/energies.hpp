@@ -21,4 +21,8 @@ namespace kappabench::wang {
 /// What stage 1 minimises with weights 0.1, summed over the segments (Eqs. (3) to (6)), with `unit` as the length 1.
 [[nodiscard]] double first_stage_energy(const Curve& curve, double unit);
 
+/// What stage 2 minimises, each segment with the mean of the two chords at its point as the length 1; mean over the
+/// segments.
+[[nodiscard]] double mean_own_energy(const Curve& curve, const Input& input);
+
 }  // namespace kappabench::wang

@@ -30,10 +30,10 @@ struct Stage {
 };
 constexpr std::array<Stage, 6> stages{{{"printed, stage 1", "mode=paper,stage2_iterations=0"},
                                        {"printed, stage 2", "mode=paper"},
-                                       {"local, stage 1", "stage2_iterations=0"},
-                                       {"local, stage 2", ""},
-                                       {"global, stage 1", "mode=global,stage2_iterations=0"},
-                                       {"global, stage 2", "mode=global"}}};
+                                       {"local, stage 1", "unit=chord,stage2_iterations=0"},
+                                       {"local, stage 2", "unit=chord"},
+                                       {"global, stage 1", "mode=global,unit=chord,stage2_iterations=0"},
+                                       {"global, stage 2", "mode=global,unit=chord"}}};
 constexpr std::array<std::size_t, 3> drawn_stages{0, 1, 5};
 constexpr std::string_view shown = "stages", typical = "typical inputs";
 

@@ -99,8 +99,8 @@ Table random_table(const Findings& found) {
                           "Medians over the curves of mean and largest E_p; a curve that was not solved counts as "
                           "infinite. Best: curves on which the row has the lowest mean E. Sensitivity: relative change "
                           "of mean E when every point moves by {:g} mean chords, over {} curves. Robust: mean E times "
-                          "mean chord over {} curves by the default mode, whose unit is the mean chord and whose stage "
-                          "2 keeps a tenth of the weights.",
+                          "mean chord over {} curves by mode=local with unit=chord, whose stage 2 keeps a tenth of the "
+                          "weights.",
                           walks, walk_points, usual_chord, perturbation, perturbed_walks, robust_walks));
   table.words("weights").counts("solved").numbers("mean E", "1/length").numbers("max E", "1/length").counts("best");
   table.numbers("length").counts("curves that cross");

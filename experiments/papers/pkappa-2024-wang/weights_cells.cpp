@@ -98,8 +98,9 @@ std::vector<CellJob> weights_jobs(const Context& context) {
   for (const Weights& weights : table_1) {
     jobs.push_back(study::numbers_job<measure_walks>(uses("weights", scheme(weights, "mode=paper,"), weights), dataset,
                                                      fmt::format("random {}", weights.words)));
-    jobs.push_back(study::numbers_job<measure_robust>(uses("weights, default mode", scheme(weights, ""), weights),
-                                                      dataset, fmt::format("robust {}", weights.words)));
+    jobs.push_back(
+        study::numbers_job<measure_robust>(uses("weights, default mode", scheme(weights, "unit=chord,"), weights),
+                                           dataset, fmt::format("robust {}", weights.words)));
   }
   for (const Weights& weights : {table_1[unweighted], table_1[chosen]})
     for (const int cap : caps) {

@@ -81,13 +81,14 @@ TEST_CASE("pkappa: the gradient of a segment's energy is that of automatic diffe
 namespace {
 
 template <Continuity K>
-JointChain window_of_three() {
+JointChain window_of_three(const std::vector<double>& units) {
   JointChain chain;
   chain.points = {{1, 0.3}, {1.8, 1.1}, {3.1, 0.9}};
   chain.joints.resize(4);
   chain.freedom = {Freedom::none, Freedom::all, Freedom::all, Freedom::end_point};
   chain.joints[0] = {.position = {0.4, -0.1}, .edge = {0.2, 0.05}, .second = {0.01, 0.03}};
   chain.joints[3].position = {4.0, 0.1};
+  chain.units = units;
   JointChain start = *fair_start<K>(chain);
   if (Layout<K>::geometric)
     for (std::size_t k = 1; k < 3; ++k) start.joints[k].ratio = 0.2 * static_cast<double>(k);
@@ -111,9 +112,9 @@ auto difference(F f, Eigen::VectorXd x, Eigen::Index i) {
 }
 
 template <Continuity K>
-void check_window() {
-  INFO(name(K));
-  const JointChain chain = window_of_three<K>();
+void check_window(const std::vector<double>& units) {
+  INFO(name(K) << (units.empty() ? ", one unit" : ", own units"));
+  const JointChain chain = window_of_three<K>(units);
   const auto flat = flat_problem<K>(chain, gauss_rule(), weights);
   const Eigen::VectorXd x = flat->values_of(chain);
   CHECK(flat->miss(x).norm() < 1e-13);
@@ -137,9 +138,22 @@ void check_window() {
 
 }  // namespace
 
+TEST_CASE("pkappa: weights in a unit give the energy with lengths over it") {
+  ControlPolygon<5> control;
+  control << 0, 1, 3, 5, 6, 6.5, 0, 2, 3, 2.5, 1, -1;
+  SegmentEnergy<5> energy(gauss_rule());
+  for (const double unit : {1e-3, 0.7, 40.0}) {
+    INFO(unit);
+    const double scaled = energy.terms(control / unit, 0.6).weighted(weights);
+    CHECK(energy.terms(control, 0.6).weighted(weights.in(unit)) == Approx(scaled).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("pkappa: gradient and constraints of a window, for every continuity") {
-  check_window<Continuity::c1>();
-  check_window<Continuity::g1>();
-  check_window<Continuity::c2>();
-  check_window<Continuity::g2>();
+  for (const std::vector<double>& units : {std::vector<double>{}, std::vector<double>{0.9, 1.3, 1.1}}) {
+    check_window<Continuity::c1>(units);
+    check_window<Continuity::g1>(units);
+    check_window<Continuity::c2>(units);
+    check_window<Continuity::g2>(units);
+  }
 }

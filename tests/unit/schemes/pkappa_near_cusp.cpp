@@ -56,6 +56,19 @@ TEST_CASE("pkappa: half a near-cusp at an end is one, slow along a line is none"
   CHECK(near_cusp<4>(elevated<3>(elevated<2>(end)), 1.0 / 256));
 }
 
+TEST_CASE("pkappa: a segment that all but stops without turning is seen where the speed has a floor") {
+  // c' = (floor + (t - 1/3)^2, 0).
+  for (const double speed : {2e-5, 5e-6}) {
+    INFO(speed);
+    ControlPolygon<3> line = ControlPolygon<3>::Zero();
+    const double edges[] = {speed + 1.0 / 9.0, speed + 1.0 / 9.0 - 1.0 / 3.0, speed + 4.0 / 9.0};
+    for (int i = 0; i < 3; ++i) line(0, i + 1) = line(0, i) + edges[i] / 3.0;
+    const auto found = near_cusp<4>(elevated<3>(line), 0.0, 1e-5);
+    REQUIRE(found.has_value() == (speed < 1e-5));
+    if (found) CHECK(*found == Approx(1.0 / 3.0).margin(1e-8));
+  }
+}
+
 TEST_CASE("pkappa: a curve with a hidden near-cusp is not converged, and says where") {
   // A dove's outline; between points 9 and 11 quartics of the whole curve have such a minimum.
   const Input dove{.points = {{3, 51},
