@@ -116,8 +116,8 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     const Continuity smooth = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
     // A segment that shrank in between may have turned from one direction and curvature to others; curvatures of what
     // is straight to rounding are not matched.
-    const bool matched = chain.next(pieces[k].number) == pieces[after].number && !pieces[k].straight &&
-                         !pieces[after].straight;
+    const bool matched =
+        chain.next(pieces[k].number) == pieces[after].number && !pieces[k].straight && !pieces[after].straight;
     joints.push_back({static_cast<int>(k), matched ? claim_at(*segments[k], *segments[after], smooth)
                                                    : claim_found(*segments[k], *segments[after], smooth)});
   }
