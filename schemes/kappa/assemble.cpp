@@ -39,6 +39,7 @@ SegmentPtr make_segment(SegmentKind kind, double a, const Vec2& c0, const Vec2& 
 struct Piece {
   std::size_t number;  ///< in the chain
   int sign;            ///< of its curvature, 0 if none
+  bool straight;       ///< to the resolution of areas
 };
 
 /// Whether |kappa| has a minimum where the segment passes its point, judged by its slope on both sides.
@@ -67,8 +68,8 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
     const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
     const double turn = cross(before, after);
-    const bool straight = std::abs(turn) <= least_area * before.norm() * after.norm();
-    if (!gone[i]) pieces.push_back({i, straight ? 0 : turn > 0.0 ? 1 : -1});
+    const bool straight = std::abs(turn) <= least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
+    if (!gone[i]) pieces.push_back({i, turn > 0.0 ? 1 : turn < 0.0 ? -1 : 0, straight});
   }
   // Each joint once, so that its two segments meet exactly; a shrunken segment gives its point to both.
   std::vector<Vec2> joint(m + 1);
@@ -113,10 +114,12 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     const bool s_shaped = pieces[k].sign * pieces[after].sign < 0;
     counters["s_joints"] += s_shaped;
     const Continuity smooth = s_shaped ? Continuity::g1_equal_magnitude : Continuity::g2;
-    // A segment that shrank in between may have turned from one direction and curvature to others.
-    const bool adjacent = chain.next(pieces[k].number) == pieces[after].number;
-    joints.push_back({static_cast<int>(k), adjacent ? claim_at(*segments[k], *segments[after], smooth)
-                                                    : claim_found(*segments[k], *segments[after], smooth)});
+    // A segment that shrank in between may have turned from one direction and curvature to others; curvatures of what
+    // is straight to rounding are not matched.
+    const bool matched =
+        chain.next(pieces[k].number) == pieces[after].number && !pieces[k].straight && !pieces[after].straight;
+    joints.push_back({static_cast<int>(k), matched ? claim_at(*segments[k], *segments[after], smooth)
+                                                   : claim_found(*segments[k], *segments[after], smooth)});
   }
   if (!input.closed) add_end_nodes(nodes, input.size(), static_cast<int>(segments.size()));
   return {Curve(std::move(segments), std::move(joints), std::move(nodes), input.closed), std::move(counters)};

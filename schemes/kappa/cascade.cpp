@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "schemes/kappa/continuation.hpp"
+#include "schemes/kappa/peak_path.hpp"
 #include "schemes/kappa/pins.hpp"
 
 namespace kappabench::kappa {
@@ -44,6 +45,14 @@ constexpr std::array fold_attempts{FoldAttempt{3, 1.0, 1.0, true},   FoldAttempt
                                    FoldAttempt{3, 30.0, 1.0, true},  FoldAttempt{3, 0.1, 10.0, true},
                                    FoldAttempt{0, 10.0, 1e-3, true}, FoldAttempt{40, 1.0, 0.3, true}};
 
+/// Attempts with the peaks' parameters as unknowns (peak_path.hpp).
+struct PeakAttempt {
+  int sweeps;
+  double softness;
+};
+
+constexpr std::array peak_attempts{PeakAttempt{3, 1.0}, PeakAttempt{0, 30.0}, PeakAttempt{40, 0.1}};
+
 constexpr double full_step = 0.1;         ///< the factor by which softness falls when all is well
 constexpr double shortest_step = 0.99;    ///< a factor so near to 1 means that the path has ended
 constexpr double try_exact_at = 0.01;     ///< softness at which the exact problem is tried first
@@ -76,11 +85,20 @@ class Cascade {
     const std::span<const Attempt> list = chain_.basis == BasisKind::cubic
                                               ? std::span<const Attempt>(cubic_attempts)
                                               : std::span<const Attempt>(trigonometric_attempts);
-    for (const Attempt& attempt : attempts == Attempts::all ? list : list.first(2)) {
+    const std::size_t usual = chain_.basis == BasisKind::cubic ? 1 : 2;
+    for (const Attempt& attempt : list.first(usual)) {
       ++solution_.effort.attempts;
       if (follow(attempt, start)) return;
     }
-    if (attempts != Attempts::all) return;
+    for (const PeakAttempt& attempt : peak_attempts) {
+      ++solution_.effort.attempts;
+      if (follow_peaks(attempt, start)) return;
+      if (attempts != Attempts::all) return;
+    }
+    for (const Attempt& attempt : list.subspan(usual)) {
+      ++solution_.effort.attempts;
+      if (follow(attempt, start)) return;
+    }
     for (const FoldAttempt& attempt : fold_attempts) {
       ++solution_.effort.attempts;
       if (follow_round_folds(attempt, start)) return;
@@ -156,6 +174,18 @@ class Cascade {
                                              return solved = finish(at, values, false);
                                            });
     return solved;
+  }
+
+  bool follow_peaks(const PeakAttempt& attempt, const State& start) {
+    Solution found = solve_by_peaks(chain_, start, attempt.softness, attempt.sweeps);
+    solution_.effort += found.effort;
+    if (!found.converged && !(found.residual < solution_.residual)) return false;
+    solution_.state = std::move(found.state);
+    solution_.setting = std::move(found.setting);
+    solution_.residual = found.residual;
+    solution_.converged = found.converged;
+    record(solution_.state);
+    return solution_.converged;
   }
 
   /// Solves the exact problem from a nearby softened one, correcting the set of pinned points. Where the path has

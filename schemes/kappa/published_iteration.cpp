@@ -7,7 +7,7 @@ namespace kappabench::kappa {
 bool PublishedIteration::step(State& state) {
   const ChordChain& chain = system_->chain();
   const std::size_t m = chain.segments();
-  system_->evaluate_jumps(state, values_);
+  system_->evaluate_jumps(state, 0.0, values_);
   next_ = state;
   // Eq. (10), corrected to |Delta|: logit lambda_i is half the log of (1 - a_i) |Delta_i+| a_{i+1}^2 over
   // (1 - a_{i+1}) |Delta_{i+1}-| a_i^2, which is half the G2 equation away. The bound keeps lambda inside (0, 1).

@@ -112,9 +112,16 @@ PolygonLegs polygon_legs(const ChordChain& chain, const State& state, std::size_
 /// Turns of the control polygon below this are not known to the accuracy that is asked for.
 constexpr double resolved_turn = 1e-3;
 
-double area_floor(const ChordChain& chain, double softness, std::size_t i) {
+/// log |T| of an area with its derivative: smoothed to log sqrt(T^2 + soft^2), and continued below `least` by the
+/// tangent in T^2, so that what is straight to rounding has a smooth equation too and what is not has the exact one.
+struct LogArea {
+  double value, slope;
+};
+LogArea log_area(const ChordChain& chain, double softness, std::size_t i, double area) {
   const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
-  return std::max(softness, least_area) * scale;
+  const double soft = softness * scale, least = least_area * scale;
+  const double square = area * area + soft * soft, bounded = std::max(square, least * least);
+  return {0.5 * (std::log(bounded) + square / bounded - 1.0), area / bounded};
 }
 
 }  // namespace
@@ -216,7 +223,7 @@ void System::evaluate_jumps(const State& state, double softness, Values& values)
     values.area[i] = cross(legs.before, legs.after);
     const double turn = std::abs(values.area[i]) / std::sqrt(legs.before.squaredNorm() * legs.after.squaredNorm());
     values.weight[i] = std::fmin(1.0, turn / resolved_turn);
-    values.s[i] = std::log(std::hypot(values.area[i], area_floor(chain, softness, i)));
+    values.s[i] = log_area(chain, softness, i, values.area[i]).value;
   }
   const double first_weight = values.weight[1];
   for (std::size_t i = 1; i <= (chain.closed ? m : m - 1); ++i) {
@@ -288,8 +295,7 @@ void System::linearise(const State& state, const Setting& setting, const Values&
       diagonal(2, 2) = 1.0;  // a fixed joint
     }
 
-    const double floor = area_floor(chain, setting.area_share * setting.softness, i);
-    const double weight = values.area[i] / (values.area[i] * values.area[i] + floor * floor);
+    const double weight = log_area(chain, setting.area_share * setting.softness, i, values.area[i]).slope;
     const Vec2 by_before = -left_normal(legs.after), by_after = left_normal(legs.before);  // of cross(before, after)
     lower.block<1, 2>(3, 0) = weight * by_before.transpose();
     diagonal.block<1, 2>(3, 0) = -weight * (by_before - by_after).transpose();

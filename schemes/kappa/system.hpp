@@ -62,8 +62,8 @@ class System {
 
   void evaluate(const State& state, const Setting& setting, Values& values) const;
 
-  /// Only `area`, `s`, `jump` and `weight`, unsmoothed.
-  void evaluate_jumps(const State& state, Values& values) const { evaluate_jumps(state, 0.0, values); }
+  /// Only `area`, `s`, `jump` and `weight`, areas smoothed by `softness`.
+  void evaluate_jumps(const State& state, double softness, Values& values) const;
 
   /// The Jacobian at `state`, in the order (e_x, e_y, x, s) of unknowns and (miss, miss, jump, s) of equations, and
   /// the negative values as right-hand side. `values` must come from `evaluate` at the same state and setting.
@@ -71,8 +71,6 @@ class System {
                  std::vector<Right4>& right) const;
 
  private:
-  void evaluate_jumps(const State& state, double softness, Values& values) const;
-
   const ChordChain* chain_;
 };
 
@@ -102,7 +100,9 @@ struct Ends {
 [[nodiscard]] double stationary_parameter(const ChordChain& chain, std::size_t i, const Ends& q);
 [[nodiscard]] Blend stationary_blend(const ChordChain& chain, std::size_t i, const Ends& q);
 
-/// Below this fraction of the product of two legs an area is mostly rounding.
-inline constexpr double least_area = 1e-15;
+/// Below this fraction of the product of the two chords an area counts as none: what of it rounding decides, some
+/// 1e-16, then moves the log of areas by less than the square root of the accuracy, so that Newton converges along
+/// straight runs, where areas decay from point to point until they are all rounding.
+inline constexpr double least_area = 1e-10;
 
 }  // namespace kappabench::kappa
