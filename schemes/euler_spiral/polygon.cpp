@@ -1,7 +1,6 @@
 #include "schemes/euler_spiral/polygon.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace kappabench::euler_spiral {
@@ -39,7 +38,7 @@ Polygon polygon_of(const Input& input) {
     polygon.lengths.push_back(chord(k).norm());
     polygon.directions.push_back(std::atan2(chord(k).y(), chord(k).x()));
   }
-  const double rounding = std::numeric_limits<double>::epsilon() * largest_coordinate(input);
+  const double rounding = rounding_of(input);
   std::vector<std::size_t> back;
   for (std::size_t k = input.closed ? 0 : 1; k < chords; ++k) {
     const Vec2 before = chord(polygon.before(k)), after = chord(k);
