@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "datasets/datasets.hpp"
@@ -121,7 +123,7 @@ TEST_CASE("euler-spiral solves random inputs or names the span that runs away") 
 }
 
 TEST_CASE("euler-spiral on 12,000 random inputs", "[.bars]") {
-  const auto found = counts(1000, 1'000'000);
+  const auto found = counts(1000, 7'000'000);
   WARN(in_words(found));
   for (const char* tame : {"walk, open", "star, open", "star, closed", "uneven, open", "uneven, closed"})
     CHECK(found.at(tame).solved == 1000);
@@ -144,7 +146,7 @@ TEST_CASE("euler-spiral on the built-in drawings and 300 random ones", "[.bars]"
     }
   for (const RandomKind kind : random_kinds())
     for (int i = 0; i < 50; ++i)
-      add(random, scheme->fit(random_input(kind, 3 + i % 30, 2'000'000 + static_cast<std::uint64_t>(i), i % 2 == 0)));
+      add(random, scheme->fit(random_input(kind, 3 + i % 30, 8'000'000 + static_cast<std::uint64_t>(i), i % 2 == 0)));
   WARN(in_words({{"drawings", drawn}, {"random", random}}));
   CHECK(drawn.ran_away <= 2);
   CHECK(drawn.other + random.other == 0);
