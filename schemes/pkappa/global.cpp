@@ -82,6 +82,12 @@ std::vector<double> parabola_energies(const JointChain& chain) {
   return e;
 }
 
+template <Continuity K>
+Spline<K> construct(const Input& input, const WindowSettings& settings, LocalReport& report) {
+  return input.closed ? construct_closed<K>(input.points, settings, report)
+                      : construct_open<K>(input.points, settings, report);
+}
+
 /// Solves the surroundings of every segment of large E_p, worst first, from other starts, and keeps what is better.
 template <Continuity K>
 void repair(JointChain& chain, const WindowSettings& settings, GlobalReport& report) {
@@ -178,18 +184,29 @@ Minimum settle(JointChain& chain, const QuadratureRule& rule, const Weights& wei
   return whole;
 }
 
-/// The curve of mode=local as a chain of the whole drawing.
+/// Where a drawing is solved as one problem.
+struct Frame {
+  Vec2 origin;
+  double unit;
+};
+
+Frame frame_for(const Input& input, const WindowSettings& settings) {
+  return {input.points.front(), settings.unit == Unit::paper ? 1.0 : mean_chord(input)};
+}
+
 template <Continuity K>
-std::optional<JointChain> local_chain(const JointChain& bare, const Input& input, const WindowSettings& settings,
-                                      const Vec2& origin, double unit) {
-  WindowSettings windows = settings;
-  windows.first_iterations = WindowSettings{}.first_iterations;
-  windows.second_iterations = std::min(settings.second_iterations, WindowSettings{}.second_iterations);
-  LocalReport report;
-  Spline<K> spline = input.closed ? construct_closed<K>(input.points, windows, report)
-                                  : construct_open<K>(input.points, windows, report);
+Spline<K> spline_of(const JointChain& chain, const Frame& frame) {
+  Spline<K> spline{.control = {}, .t = chain.t};
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    spline.control.push_back((polygon<K>(chain, i) * frame.unit).colwise() + frame.origin);
+  return spline;
+}
+
+/// The whole curve through windows, as one chain.
+template <Continuity K>
+std::optional<JointChain> chain_through(const JointChain& bare, Spline<K> spline, const Frame& frame) {
   for (auto& control : spline.control) {
-    control = (control.colwise() - origin) / unit;
+    control = (control.colwise() - frame.origin) / frame.unit;
     if (!control.allFinite()) return std::nullopt;
   }
   JointChain chain = bare;
@@ -214,77 +231,121 @@ struct Judgement {
   double energy;
 };
 
+/// In the weights that were minimised last.
+template <Continuity K>
+Judgement judge(const JointChain& chain, const Weights& weights) {
+  return {all_sound(check_segments<K>(chain, fine_gauss_rule())),
+          ChainSystem<K>(finest_gauss_rule(), weights).value(chain)};
+}
+
 /// By more than what the tolerance of a minimisation leaves open.
 bool below(const Judgement& a, const Judgement& b) {
   constexpr double tolerance = 1e-9;
   return a.sound != b.sound ? a.sound : a.energy < (1.0 - tolerance) * b.energy;
 }
 
-}  // namespace
+Weights last_weights(const WindowSettings& settings) {
+  return settings.second_iterations == 0 ? settings.weights : settings.reduced_weights();
+}
 
 template <Continuity K>
-Spline<K> solve_globally(const Input& input, const WindowSettings& settings, GlobalReport& report) {
-  const double unit = settings.unit == Unit::paper ? 1.0 : mean_chord(input);
-  const Vec2 origin = input.points.front();
-  const JointChain bare = bare_chain(input, origin, unit, settings.unit == Unit::span);
+void phase(JointChain& chain, const QuadratureRule& rule, const Weights& weights, int iterations, double tolerance,
+           GlobalReport& report) {
+  const Minimum m = settle<K>(chain, rule, weights, tolerance, iterations);
+  report.iterations += m.iterations;
+  report.converged = m.converged;
+  report.trace.push_back(m.energy / static_cast<double>(chain.size()));
+}
+
+/// From a start that prefers no direction, in two stages.
+template <Continuity K>
+std::optional<JointChain> whole_curve(const JointChain& bare, const WindowSettings& settings, GlobalReport& report) {
   std::optional<JointChain> start = fair_start<K>(bare);
   if (!start) start = polygonal_start<K>(bare);
-  if (!start) return {};
+  if (!start) return std::nullopt;
   JointChain chain = std::move(*start);
 
-  const auto phase = [&](JointChain& c, const QuadratureRule& rule, const Weights& weights, int iterations,
-                         double tolerance) {
-    const Minimum m = settle<K>(c, rule, weights, tolerance, iterations);
-    report.iterations += m.iterations;
-    report.converged = m.converged;
-    report.trace.push_back(m.energy / static_cast<double>(c.size()));
-  };
   constexpr double rough = 1e-3;
-  phase(chain, *settings.rule, settings.weights, settings.first_iterations, rough);
   const QuadratureRule* rule = settings.rule;
+  phase<K>(chain, *rule, settings.weights, settings.first_iterations, rough, report);
   constexpr int most_rounds = 3;
   for (int round = 0; round < most_rounds && !all_good(check_segments<K>(chain, *rule)); ++round) {
     repair<K>(chain, settings, report);
     rule = &fine_gauss_rule();
-    phase(chain, *rule, settings.weights, settings.first_iterations, rough);
+    phase<K>(chain, *rule, settings.weights, settings.first_iterations, rough, report);
   }
   // Stage 1 only prepares stage 2, unless there is none.
   const bool one_stage = settings.second_iterations == 0;
-  phase(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6);
-  const Weights last_weights = one_stage ? settings.weights : settings.reduced_weights();
-  if (!one_stage) {
-    JointChain second = chain;
-    const double before = ChainSystem<K>(*rule, last_weights).value(chain);
-    phase(second, *rule, last_weights, settings.second_iterations, settings.tolerance);
-    report.second_stage_at_rest = !report.converged && !(ChainSystem<K>(*rule, last_weights).value(second) < before);
-    report.second_stage_reverted = !all_sound(check_segments<K>(second, *rule));
-    if (!report.second_stage_reverted) chain = std::move(second);
-  }
+  phase<K>(chain, *rule, settings.weights, settings.first_iterations, one_stage ? settings.tolerance : 1e-6, report);
+  if (one_stage) return chain;
+  const Weights weights = last_weights(settings);
+  JointChain second = chain;
+  const double before = ChainSystem<K>(*rule, weights).value(chain);
+  phase<K>(second, *rule, weights, settings.second_iterations, settings.tolerance, report);
+  report.second_stage_at_rest = !report.converged && !(ChainSystem<K>(*rule, weights).value(second) < before);
+  report.second_stage_reverted = !all_sound(check_segments<K>(second, *rule));
+  return report.second_stage_reverted ? chain : second;
+}
+
+/// More iterations, unless the option says how many.
+WindowSettings for_whole_curve(WindowSettings settings) {
+  constexpr int iterations = 300;
+  settings.first_iterations = iterations;
+  if (settings.second_iterations == WindowSettings{}.second_iterations) settings.second_iterations = iterations;
+  return settings;
+}
+
+}  // namespace
+
+template <Continuity K>
+Spline<K> solve_globally(const Input& input, const WindowSettings& given, GlobalReport& report) {
+  const WindowSettings settings = for_whole_curve(given);
+  const Frame frame = frame_for(input, settings);
+  const JointChain bare = bare_chain(input, frame.origin, frame.unit, settings.unit == Unit::span);
+  std::optional<JointChain> chain = whole_curve<K>(bare, settings, report);
 
   // The curve by windows, if it is below, is the better start, and never a worse end.
-  ChainSystem<K> exact(finest_gauss_rule(), last_weights);
-  const auto judge = [&](const JointChain& c) {
-    return Judgement{all_sound(check_segments<K>(c, fine_gauss_rule())), exact.value(c)};
-  };
-  const std::optional<JointChain> local = local_chain<K>(bare, input, settings, origin, unit);
-  if (local && below(judge(*local), judge(chain))) {
+  LocalReport windows;
+  const Spline<K> by_windows = construct<K>(input, given, windows);
+  const Weights weights = last_weights(settings);
+  const std::optional<JointChain> local = chain_through<K>(bare, by_windows, frame);
+  if (local && (!chain || below(judge<K>(*local, weights), judge<K>(*chain, weights)))) {
     report.from_local = true;
     report.second_stage_reverted = report.second_stage_at_rest = false;
-    chain = *local;
-    phase(chain, fine_gauss_rule(), last_weights, one_stage ? settings.first_iterations : settings.second_iterations,
-          settings.tolerance);
-    if (below(judge(*local), judge(chain))) chain = *local;
+    chain = local;
+    const bool one_stage = settings.second_iterations == 0;
+    phase<K>(*chain, fine_gauss_rule(), weights, one_stage ? settings.first_iterations : settings.second_iterations,
+             settings.tolerance, report);
+    if (below(judge<K>(*local, weights), judge<K>(*chain, weights))) chain = local;
   }
+  return chain ? spline_of<K>(*chain, frame) : Spline<K>{};
+}
 
-  Spline<K> spline{.t = chain.t};
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    spline.control.push_back((polygon<K>(chain, i) * unit).colwise() + origin);
-  return spline;
+template <Continuity K>
+Spline<K> solve_locally(const Input& input, const WindowSettings& settings, LocalReport& report) {
+  constexpr int longest = 256;
+  Spline<K> by_windows = construct<K>(input, settings, report);
+  if (!settings.robust || settings.solver != Solver::lm || input.size() > longest) return by_windows;
+  const Frame frame = frame_for(input, settings);
+  const JointChain bare = bare_chain(input, frame.origin, frame.unit, settings.unit == Unit::span);
+  const std::optional<JointChain> local = chain_through<K>(bare, by_windows, frame);
+  if (local && all_good(check_segments<K>(*local, fine_gauss_rule()))) return by_windows;
+  GlobalReport whole;
+  const std::optional<JointChain> chain = whole_curve<K>(bare, for_whole_curve(settings), whole);
+  report.iterations += whole.iterations;
+  const Weights weights = last_weights(settings);
+  if (!chain || (local && !below(judge<K>(*chain, weights), judge<K>(*local, weights)))) return by_windows;
+  report.whole = true;
+  return spline_of<K>(*chain, frame);
 }
 
 template Spline<Continuity::c1> solve_globally<Continuity::c1>(const Input&, const WindowSettings&, GlobalReport&);
 template Spline<Continuity::g1> solve_globally<Continuity::g1>(const Input&, const WindowSettings&, GlobalReport&);
 template Spline<Continuity::c2> solve_globally<Continuity::c2>(const Input&, const WindowSettings&, GlobalReport&);
 template Spline<Continuity::g2> solve_globally<Continuity::g2>(const Input&, const WindowSettings&, GlobalReport&);
+template Spline<Continuity::c1> solve_locally<Continuity::c1>(const Input&, const WindowSettings&, LocalReport&);
+template Spline<Continuity::g1> solve_locally<Continuity::g1>(const Input&, const WindowSettings&, LocalReport&);
+template Spline<Continuity::c2> solve_locally<Continuity::c2>(const Input&, const WindowSettings&, LocalReport&);
+template Spline<Continuity::g2> solve_locally<Continuity::g2>(const Input&, const WindowSettings&, LocalReport&);
 
 }  // namespace kappabench::pkappa

@@ -14,6 +14,7 @@ struct LocalReport {
   int fallbacks = 0;   ///< windows that needed other starts than the usual two
   int widened = 0;     ///< windows beyond three segments that made the curve better
   int reverted = 0;    ///< windows that kept stage 1
+  bool whole = false;  ///< the windows did not do: the curve is that of one problem
   int unsound = 0;     ///< windows whose result failed verification; a later one may have mended it
   int unfinished = 0;  ///< windows that met the iteration limit in stage 1
 

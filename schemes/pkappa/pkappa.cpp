@@ -103,7 +103,6 @@ WindowSettings settings_of(const Parameters& parameters) {
       quadrature == "simpson201" || (quadrature == "auto" && printed) ? &pkappa::simpson_rule() : &pkappa::gauss_rule();
   s.robust = !printed;
   s.solver = pkappa::solver_named(parameters.text("solver"));
-  if (is_global(parameters)) s.first_iterations = s.second_iterations = 300;
   if (printed) {
     // The paper's epsilon and N_iter are not printed; stage 2 is Eq. (3) alone.
     s.second_weights = 0.0;
@@ -203,9 +202,10 @@ Fit finish(const Input& input, const Spline<K>& spline, int iterations) {
 template <Continuity K>
 Fit finish_local(const Input& input, const Spline<K>& spline, const pkappa::LocalReport& report) {
   Fit fit = finish<K>(input, spline, report.iterations);
-  fit.report.counters = {{"windows", report.windows},         {"fallbacks", report.fallbacks},
-                         {"widened", report.widened},         {"stage2_reverted", report.reverted},
-                         {"unsound_windows", report.unsound}, {"iteration_limit", report.unfinished}};
+  fit.report.counters = {{"windows", report.windows},           {"fallbacks", report.fallbacks},
+                         {"widened", report.widened},           {"stage2_reverted", report.reverted},
+                         {"whole", report.whole ? 1 : 0},       {"unsound_windows", report.unsound},
+                         {"iteration_limit", report.unfinished}};
   return fit;
 }
 
@@ -259,8 +259,7 @@ Fit PkappaScheme::solve(const Input& input) const {
       return fit;
     }
     pkappa::LocalReport report;
-    const Spline<K> spline = input.closed ? pkappa::construct_closed<K>(input.points, settings, report)
-                                          : pkappa::construct_open<K>(input.points, settings, report);
+    const Spline<K> spline = pkappa::solve_locally<K>(input, settings, report);
     return finish_local<K>(input, spline, report);
   });
 }

@@ -157,8 +157,8 @@ Table counter_table(const Findings& found) {
               "Counted over all curves, Levenberg-Marquardt: windows solved; those that needed more than the "
               "usual starts, were widened, kept stage 1, failed verification, met the iteration limit.");
   table.words("construction");
-  constexpr std::array<std::string_view, 6> counters{"windows",         "fallbacks", "widened",
-                                                     "stage2_reverted", "unsound",   "iteration_limit"};
+  constexpr std::array<std::string_view, 6> counters{"windows",         "fallbacks",       "widened",
+                                                     "stage2_reverted", "unsound_windows", "iteration_limit"};
   for (const std::string_view counter : counters) table.counts(std::string(counter));
   for (const std::string& words : {lm_stage_1, std::string("lm, paper, stage 1"), lm_both}) {
     std::vector<study::TableValue> row{words};

@@ -24,19 +24,17 @@ using study::Findings, study::Notes, study::Panel, study::Quantity, study::Rows,
 
 constexpr std::string_view about =
     "E_p is a curvature squared times a length, E_c a length squared and E_e a length to the fourth power, so the "
-    "weights of Eq. (9) mean something only with a unit of length, which the paper does not print. One unit for all "
-    "spans (the mean chord) makes E_e of a span a thousand times as long count 10^12 times; a wide loop of small "
-    "curvature can then have less energy than a tight corner. Here the same random drawings are fitted with each "
-    "span's energies in its own chords (unit=span, the default), with the mean chord as the unit (unit=chord) and with "
-    "that of the input (unit=paper), window by window and as one problem. Wild: a span longer than 1.5 times the "
-    "shortest that another scheme draws there.";
+    "weights of Eq. (9) mean something only with a unit of length, which the paper does not print. With the mean chord "
+    "for all spans, E_e of a span a thousand times as long counts 10^12 times, and a wide loop of small curvature can "
+    "have less energy than a tight corner. Here the same random drawings are fitted with each span's energies in its "
+    "own chords (unit=span, the default) and with the mean chord as the unit (unit=chord), window by window and as one "
+    "problem. Wild: a span longer than 1.5 times the shortest that another scheme draws there.";
 
 struct Way {
   std::string_view words, options;
 };
-constexpr std::array<Way, 5> ways{{{"span, local", "unit=span"},
+constexpr std::array<Way, 4> ways{{{"span, local", "unit=span"},
                                    {"chord, local", "unit=chord"},
-                                   {"paper, local", "unit=paper"},
                                    {"span, global", "mode=global,unit=span"},
                                    {"chord, global", "mode=global,unit=chord"}}};
 constexpr auto &own = ways[0], &mean = ways[1];
