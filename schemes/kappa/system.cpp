@@ -163,13 +163,16 @@ struct Nearest {
   double miss;
 };
 
-/// K over |r|^2 + |s|^2, and how far the segment passes its point by, over the point's size, both at t.
+/// At t: how far the legs must move to bring K to zero, with the sign of K, and how far the segment passes its point
+/// by, both over the point's size.
 template <class Basis>
 std::pair<double, double> slope_and_miss(const Basis& basis, const Vec2& e, const Ends& q, double size, double t) {
   const Vec2 r = e - q.x, s = q.y - e;
-  const double k = StationaryEquation<Basis, Velocity::of_legs>(basis, r, s, 0.0)(t).value;
+  const StationaryEquation<Basis, Velocity::of_legs> equation(basis, r, s, 0.0);
+  const double k = equation(t).value;
+  const auto g = equation.gradient(t, r, s);
   const Blend b = basis.blend(t);
-  return {k / (r.squaredNorm() + s.squaredNorm()), (b.b0 * q.x + b.b1 * e + b.b2 * q.y).norm() / size};
+  return {k == 0.0 ? 0.0 : k / ((g.a.norm() + g.b.norm()) * size), (b.b0 * q.x + b.b1 * e + b.b2 * q.y).norm() / size};
 }
 
 Nearest nearest(const ChordChain& chain, const State& state, const Values& values, std::size_t i) {
