@@ -30,7 +30,7 @@ SchemeInfo EkappaScheme::describe() {
               "controlled local curvature extrema, The Visual Computer 38, 2022",
           .parameters = std::move(parameters),
           .traits = kappa::family_traits(),
-          .version = 2,
+          .version = 3,
           .marks = kappa::marks::of(kappa::SegmentKind::cubic)};
 }
 

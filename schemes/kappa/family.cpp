@@ -34,7 +34,7 @@ SchemeTraits family_traits() {
           .continuity = Continuity::g2,
           .continuity_exceptions =
               "where the curvature changes sign (S-joints): G1 with equal |curvature|; where a segment has shrunk to "
-              "its point: G1, or G0 if the path turns back there"};
+              "its point, or where the polygon is straight to 1e-10: G1, or G0 if the path turns back there"};
 }
 
 Iteration iteration_of(const Parameters& parameters) {
@@ -87,6 +87,8 @@ Solution solve_by_newton(const ChordChain& chain, double rounding) {
   Solution solution = chain.segments() > longest_whole_chain
                           ? solve_in_windows(chain)
                           : solve_chain(chain, initial_state(chain), nullptr, Attempts::all, true);
+  if (!solution.converged && chain.segments() >= least_repaired && chain.segments() <= longest_whole_chain)
+    solution = repair_in_windows(chain, std::move(solution));
   shrink_at_inflections(chain, rounding, solution);
   return solution;
 }

@@ -16,7 +16,7 @@ SchemeInfo KappaScheme::describe() {
               "curvature, ACM TOG 36(4), 129, 2017",
           .parameters = kappa::iteration_parameters(),
           .traits = kappa::family_traits(),
-          .version = 2,
+          .version = 3,
           .marks = kappa::marks::of(kappa::SegmentKind::quadratic)};
 }
 

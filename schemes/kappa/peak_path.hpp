@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "schemes/kappa/cascade.hpp"
 
 namespace kappabench::kappa {

@@ -163,15 +163,34 @@ struct Nearest {
   double miss;
 };
 
+/// At t: how far the legs must move to bring K to zero, with the sign of K, and how far the segment passes its point
+/// by, both over the point's size.
+template <class Basis>
+std::pair<double, double> slope_and_miss(const Basis& basis, const Vec2& e, const Ends& q, double size, double t) {
+  const Vec2 r = e - q.x, s = q.y - e;
+  const StationaryEquation<Basis, Velocity::of_legs> equation(basis, r, s, 0.0);
+  const double k = equation(t).value;
+  const auto g = equation.gradient(t, r, s);
+  const Blend b = basis.blend(t);
+  return {k == 0.0 ? 0.0 : k / ((g.a.norm() + g.b.norm()) * size), (b.b0 * q.x + b.b1 * e + b.b2 * q.y).norm() / size};
+}
+
 Nearest nearest(const ChordChain& chain, const State& state, const Values& values, std::size_t i) {
   const Ends q = ends(chain, state, values.ratios, i);
-  Nearest best{Form::divided, values.miss[i].norm()};
-  const auto consider = [&](Form form, double miss) {
-    if (!(best.miss <= miss)) best = {form, miss};
+  const auto at = [&](double t) {
+    return chain.basis == BasisKind::cubic
+               ? slope_and_miss(CubicBasis(chain.a[i]), state.e[i], q, chain.size[i], t)
+               : slope_and_miss(TrigonometricBasis(chain.a[i]), state.e[i], q, chain.size[i], t);
   };
-  if (peak_slope(chain, i, state.e[i], q, 0.0) <= 0.0) consider(Form::at_start, q.x.norm() / chain.size[i]);
-  if (peak_slope(chain, i, state.e[i], q, last_parameter(chain.basis)) >= 0.0)
-    consider(Form::at_end, q.y.norm() / chain.size[i]);
+  const auto [slope, miss] = at(values.t[i]);
+  Nearest best{Form::divided, std::max(miss, std::abs(slope))};
+  const auto consider = [&](Form form, double off) {
+    if (!(best.miss <= off)) best = {form, off};
+  };
+  const auto [first_slope, first_miss] = at(0.0);
+  consider(Form::at_start, std::max(first_miss, first_slope));
+  const auto [last_slope, last_miss] = at(last_parameter(chain.basis));
+  consider(Form::at_end, std::max(last_miss, -last_slope));
   return best;
 }
 
@@ -181,11 +200,8 @@ double residual_of(const System& system, const State& state, Values& values) {
   const ChordChain& chain = system.chain();
   system.evaluate(state, uniform_setting(chain, Form::divided), values);
   double largest = 0.0;
-  for (std::size_t i = 1; i <= chain.segments(); ++i) {
-    const double miss = nearest(chain, state, values, i).miss, jump = values.weight[i] * std::abs(values.jump[i]);
-    if (!std::isfinite(miss + jump)) return std::numeric_limits<double>::infinity();
-    largest = std::max({largest, miss, jump});
-  }
+  for (std::size_t i = 1; i <= chain.segments(); ++i)
+    largest = std::max(largest, residual_at(system, state, values, i));
   return largest;
 }
 
@@ -196,6 +212,12 @@ double residual_of(const System& system, const State& state, const Setting& sett
 
 Form nearest_form(const System& system, const State& state, const Values& values, std::size_t i) {
   return nearest(system.chain(), state, values, i).form;
+}
+
+double residual_at(const System& system, const State& state, const Values& values, std::size_t i) {
+  const double miss = nearest(system.chain(), state, values, i).miss,
+               jump = values.weight[i] * std::abs(values.jump[i]);
+  return std::isfinite(miss + jump) ? std::max(miss, jump) : std::numeric_limits<double>::infinity();
 }
 
 double stationary_parameter(const ChordChain& chain, std::size_t i, const Ends& q) {

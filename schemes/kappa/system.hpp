@@ -87,9 +87,14 @@ struct Ends {
 /// The basis's parameter at the end of a segment.
 [[nodiscard]] double last_parameter(BasisKind basis);
 
-/// How far a state is from a solution, whatever form an iteration uses: the largest of weighted |jump| and, at each
-/// point, of |miss| in the `divided` form, or in a pinned form where |kappa| peaks at that end if that is less.
+/// How far a state is from a solution, whatever form an iteration uses: the largest, over points and joints, of
+/// weighted |jump| and of the distance, over the point's size, by which a segment passes its point at t, or of K(t)
+/// over the sum of the squares of its legs if that is more: control points that move by so much of their legs bring K
+/// to zero. t is the stationary point of the divided form, or an end towards which |kappa| rises if that is nearer to a
+/// solution.
 [[nodiscard]] double residual_of(const System& system, const State& state, Values& values);
+/// The part of point i and the joint behind it; `values` are those of `residual_of`.
+[[nodiscard]] double residual_at(const System& system, const State& state, const Values& values, std::size_t i);
 /// The same with a given form for each point.
 [[nodiscard]] double residual_of(const System& system, const State& state, const Setting& setting, Values& values);
 /// The form in which point i is nearest to a solution, by the same rule; `values` are those of `residual_of`.

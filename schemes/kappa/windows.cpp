@@ -25,6 +25,13 @@ class WindowSolver {
     solution_.setting = uniform_setting(chain, Form::divided);
   }
 
+  /// Goes on from a state of the whole chain.
+  Solution repair(Solution unsolved) {
+    solution_ = std::move(unsolved);
+    solve_open_spots();
+    return std::move(solution_);
+  }
+
   Solution solve() {
     PublishedIteration sweeps(system_);
     const int swept = sweeps.steps(solution_.state, rough_sweeps);
@@ -34,6 +41,13 @@ class WindowSolver {
     check();
     for (std::size_t begin = 1; begin <= m; begin += core)
       solve_window(around(begin, std::min(begin + core, m + 1), overlaps[0]), 0);
+    solve_open_spots();
+    return std::move(solution_);
+  }
+
+ private:
+  void solve_open_spots() {
+    const std::size_t m = chain_.segments();
     for (std::size_t pass = 1; pass < overlaps.size() && !check(); ++pass)
       for (std::size_t begin = 1; begin <= m;) {
         if (!open_[begin]) {
@@ -47,22 +61,20 @@ class WindowSolver {
         begin = end;
       }
     if (!solution_.converged) finish();
-    return std::move(solution_);
   }
 
- private:
   void count(double iterations, std::size_t segments) {
     solution_.iterations += iterations * static_cast<double>(segments) / static_cast<double>(chain_.segments());
   }
 
   /// Measures the state, and which segments' equations are still open.
   bool check() {
-    solution_.residual = residual_of(system_, solution_.state, solution_.setting, values_);
+    solution_.residual = residual_of(system_, solution_.state, values_);
     solution_.trace.push_back(solution_.residual);
     solution_.converged = solution_.residual <= accuracy;
     open_.assign(chain_.segments() + 2, false);
     for (std::size_t i = 1; i <= chain_.segments(); ++i)
-      open_[i] = !(values_.miss[i].norm() <= accuracy && values_.weight[i] * std::abs(values_.jump[i]) <= accuracy);
+      open_[i] = residual_at(system_, solution_.state, values_, i) > accuracy;
     return solution_.converged;
   }
 
@@ -78,8 +90,16 @@ class WindowSolver {
 
   void solve_window(const Window& w, std::size_t pass) {
     const ChainPart part = part_of(chain_, solution_.state, solution_.setting, w);
-    const Attempts attempts = pass % 3 == 2 ? Attempts::all : Attempts::usual;
-    const Solution local = solve_chain(part.chain, part.state, pass > 0 ? &part.setting : nullptr, attempts, false);
+    const bool whole_was_tried = chain_.segments() <= longest_whole_chain;
+    const Attempts attempts = pass % 3 == 2 && !whole_was_tried ? Attempts::all : Attempts::usual;
+    // A window that a bad state holds is left from zeros.
+    const bool afresh = pass % 2 == 0;
+    State start = part.state;
+    if (afresh && pass > 0) {
+      std::fill(start.e.begin() + 1, start.e.end() - 1, Vec2::Zero());
+      std::fill(start.x.begin() + 1, start.x.end() - 1, 0.0);
+    }
+    const Solution local = solve_chain(part.chain, start, afresh ? nullptr : &part.setting, attempts, false);
     solution_.effort += local.effort;
     count(local.iterations, w.length);
     if (local.converged) put_back(chain_, w, local.state, local.setting, solution_.state, solution_.setting);
@@ -101,5 +121,12 @@ class WindowSolver {
 }  // namespace
 
 Solution solve_in_windows(const ChordChain& chain) { return WindowSolver(chain).solve(); }
+
+Solution repair_in_windows(const ChordChain& chain, Solution unsolved) {
+  Solution repaired = WindowSolver(chain).repair(unsolved);
+  if (repaired.converged) return repaired;
+  unsolved.effort = repaired.effort;
+  return unsolved;
+}
 
 }  // namespace kappabench::kappa

@@ -13,4 +13,11 @@ inline constexpr std::size_t longest_whole_chain = 256;
 /// number of points. The order of windows is fixed, so the result is reproducible. The trace has one entry a pass.
 [[nodiscard]] Solution solve_in_windows(const ChordChain& chain);
 
+/// Solves the spots of a chain that are open in `unsolved` in windows of their own, narrow and wide, from where they
+/// are and from zeros. What it was given if that does not solve the chain.
+[[nodiscard]] Solution repair_in_windows(const ChordChain& chain, Solution unsolved);
+
+/// The fewest segments that are repaired in windows.
+inline constexpr std::size_t least_repaired = 8;
+
 }  // namespace kappabench::kappa
