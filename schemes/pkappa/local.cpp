@@ -129,16 +129,18 @@ void solve_and_widen(Spline<K>& spline, std::span<const Vec2> points, bool close
     if (improve<K>(spline, points, closed, first(count), count, settings, report)) return;
 }
 
-/// What the insertions left behind and none of the later windows mended: solves ever wider windows round every segment
-/// that is not good.
+/// What the insertions left behind and none of the later windows mended: solves ever wider windows round the segments
+/// that are not good.
 template <Continuity K>
 void mend(Spline<K>& spline, std::span<const Vec2> points, bool closed, const WindowSettings& settings,
           LocalReport& report) {
   if (!settings.robust) return;
   const std::size_t n = spline.t.size();
   const std::vector<SegmentCheck> checks = Stretch<K>(spline, points, closed, 0, n).checks();
+  std::size_t tried = 0;  // the segments before it: each was well inside of a window that all widths were tried for
   for (std::size_t i = 0; i < n; ++i) {
-    if (checks[i].good()) continue;
+    if (checks[i].good() || i < tried) continue;
+    tried = i + widest / 3;
     for (std::size_t count = 7; count <= widest; count += 4) {
       const std::size_t reach = count / 2, here = std::min(count, n);
       const std::size_t first = closed ? (i + n - std::min(reach, n)) % n : std::min(i - std::min(i, reach), n - here);
