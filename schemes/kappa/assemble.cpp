@@ -48,6 +48,14 @@ bool at_minimum(const ChordChain& chain, std::size_t i, const Vec2& e, const End
   return peak_slope(chain, i, e, q, t - step) < 0.0 && peak_slope(chain, i, e, q, t + step) > 0.0;
 }
 
+/// The parameter beside t where the segment is nearest to its point, to first order. Where curvature is nearly
+/// constant, as along straight runs, rounding moves its peak farther than the place where the curve passes the point.
+double nearest(const Segment& segment, double t, const Vec2& point) {
+  const Jet jet = segment.jet(t, 1);
+  const double squared = jet.d[1].squaredNorm(), along = (point - jet.position()).dot(jet.d[1]);
+  return squared > 0.0 ? std::clamp(t + along / squared, 0.0, 1.0) : t;
+}
+
 }  // namespace
 
 Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain, const State& state,
@@ -103,8 +111,9 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     if (pinned) node.marks.emplace_back(marks::pinned);
     if (kind == SegmentKind::trigonometric && !pinned && at_minimum(chain, i, state.e[i], q[i], t))
       node.marks.emplace_back(marks::curvature_minimum);
-    nodes.push_back(std::move(node));
     segments.push_back(make_segment(kind, chain.a[i], joint[i - 1], position(i) + state.e[i], joint[i]));
+    if (!pinned) node.t = nearest(*segments.back(), node.t, position(i));
+    nodes.push_back(std::move(node));
   }
   for (const Node& node : nodes)
     for (const std::string& mark : node.marks) ++counters[mark];
