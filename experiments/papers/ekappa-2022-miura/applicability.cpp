@@ -242,6 +242,7 @@ study::Tally identities(const Findings& found, const std::vector<std::string_vie
 void claim_identity(Findings& found, std::string_view id, const std::vector<std::string_view>& names,
                     std::string evidence) {
   std::vector<double> deviations;
+  deviations.reserve(names.size());
   for (const std::string_view name : names) deviations.push_back(deviation_of(found, name));
   found.judge(id, identities(found, names),
               {fmt::format("largest deviation {:.2g}", fmt::join(deviations, ", ")), std::move(evidence)});

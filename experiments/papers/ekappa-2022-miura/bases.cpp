@@ -140,6 +140,7 @@ const std::array<Shape, 4> bottom_row{trigonometric_shapes[0], trigonometric_sha
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   std::vector<SchemePtr> schemes;
+  schemes.reserve(bernstein_shapes.size() + trigonometric_shapes.size());
   for (const Shape& shape : bernstein_shapes) schemes.push_back(cubic(context.registry, shape.a));
   for (const Shape& shape : trigonometric_shapes) schemes.push_back(miura::trigonometric(context.registry, shape.a));
   for (const Drawing& drawing : study::drawings_or(context, {"five-drop", "christmas-tree"})) {
@@ -298,8 +299,8 @@ void claim_approach(Findings& found) {
     polygon += smaller(found, to_polygon, spline(bernstein(now)), spline(bernstein(before)));
     polygon += smaller(found, to_polygon, spline(trigonometric(now)), spline(trigonometric(before)));
   }
-  const Shape &from = bernstein_shapes[1], &to = bernstein_shapes.back();
-  const auto medians = [&](const Quantity& what, const KeyIs& at_from, const KeyIs& at_to) {
+  const Shape from = bernstein_shapes[1], to = bernstein_shapes.back();
+  const auto medians = [&found, from, to](const Quantity& what, const KeyIs& at_from, const KeyIs& at_to) {
     return fmt::format("{:.3g} at a = {} and {:.3g} at {}", found.rows().where({at_from}).median(what), from.words,
                        found.rows().where({at_to}).median(what), to.words);
   };

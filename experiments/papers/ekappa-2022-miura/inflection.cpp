@@ -287,7 +287,7 @@ void claim_shrinking(Findings& found, std::string_view id, const Quantity& what)
 
 void claim_continuity(Findings& found) {
   const Rows inflections = found.rows().where({kind(at_inflection)}), others = found.rows().where({kind(elsewhere)});
-  const double joints = static_cast<double>(inflections.size() + others.size());
+  const auto joints = static_cast<double>(inflections.size() + others.size());
   const Tally kept{joints - inflections.total(missed) - others.total(missed), joints};
   const Rows misses =
       found.rows().where_row([](const study::Row& row) { return row.has(missed) && row[missed] > 0.0; });

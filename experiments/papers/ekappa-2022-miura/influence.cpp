@@ -119,6 +119,7 @@ Input with_raised(Input input, const std::set<int>& points) {
 
 CellJob influence_job(const Registry& registry, const Drawing& drawing) {
   std::vector<SchemePtr> schemes;
+  schemes.reserve(influence_shapes.size());
   for (const Shape& shape : influence_shapes) schemes.push_back(cubic(registry, shape.a));
   return study::curves_job<measure>({.work = "influence of a point",
                                      .schemes = std::move(schemes),
