@@ -76,7 +76,7 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
     const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
     const double turn = cross(before, after);
-    const bool straight = std::abs(turn) <= least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
+    const bool straight = std::abs(turn) <= chain.least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
     if (!gone[i]) pieces.push_back({i, turn > 0.0 ? 1 : turn < 0.0 ? -1 : 0, straight});
   }
   // Each joint once, so that its two segments meet exactly; a shrunken segment gives its point to both.

@@ -82,6 +82,7 @@ class Cascade {
     solution_.residual = residual_of(system_, start, values_);
     record(start);
     if (near != nullptr && exact(start, *near, false)) return;
+    if (attempts == Attempts::near) return;
     const std::span<const Attempt> list = chain_.basis == BasisKind::cubic
                                               ? std::span<const Attempt>(cubic_attempts)
                                               : std::span<const Attempt>(trigonometric_attempts);

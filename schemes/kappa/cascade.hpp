@@ -27,8 +27,8 @@ struct Solution {
   std::vector<double> trace;  ///< residual_of before the first and after each iteration, when asked for
 };
 
-/// Which entries of the cascade to try before giving up: `usual` are the first two homotopies.
-enum class Attempts { usual, all };
+/// Which entries of the cascade to try before giving up: none but Newton from `near`, the first two homotopies, all.
+enum class Attempts { near, usual, all };
 
 /// Residual below which a state is a solution.
 inline constexpr double accuracy = 1e-12;

@@ -8,7 +8,13 @@ std::size_t number_in(const ChordChain& chain, const Window& w, std::size_t k) {
 }
 
 ChainPart part_of(const ChordChain& chain, const State& state, const Setting& setting, const Window& w) {
-  ChainPart part{.chain = {.basis = chain.basis, .closed = false, .chord = {}, .a = {}, .end = {}, .size = {}},
+  ChainPart part{.chain = {.basis = chain.basis,
+                           .closed = false,
+                           .chord = {},
+                           .a = {},
+                           .end = {},
+                           .size = {},
+                           .least_area = chain.least_area},
                  .state = {},
                  .setting = {.form = std::vector<Form>(w.length + 2, Form::divided)}};
   for (std::size_t k = 0; k <= w.length + 1; ++k) {

@@ -23,6 +23,10 @@ struct ChordChain {
   std::vector<double> a;     ///< m + 2: sharpness
   std::vector<double> end;   ///< m + 2: log((1 - a) / a^2), the constant of the end curvatures (Eqs. (8) and (26))
   std::vector<double> size;  ///< m + 2: mean length of the two chords at a point, to which lengths are relative
+  /// Below this fraction of the product of the two chords an area counts as none: what of it rounding decides, some
+  /// 1e-16, then moves the log of areas by less than the square root of the accuracy, so that Newton converges along
+  /// straight runs, where areas decay from point to point until they are all rounding.
+  double least_area = 1e-10;
 
   [[nodiscard]] std::size_t segments() const { return chord.size() - 1; }
   /// The successor of segment i, with wrap-around if closed.

@@ -83,14 +83,62 @@ Solution iterate_published(const ChordChain& chain, int most) {
   return solution;
 }
 
-Solution solve_by_newton(const ChordChain& chain, double rounding) {
-  Solution solution = chain.segments() > longest_whole_chain
-                          ? solve_in_windows(chain)
-                          : solve_chain(chain, initial_state(chain), nullptr, Attempts::all, true);
+Solution solve_as(const ChordChain& chain, Attempts attempts) {
+  return chain.segments() > longest_whole_chain ? solve_in_windows(chain)
+                                                : solve_chain(chain, initial_state(chain), nullptr, attempts, true);
+}
+
+Solution solve_all_ways(const ChordChain& chain) {
+  Solution solution = solve_as(chain, Attempts::all);
   if (!solution.converged && chain.segments() >= least_repaired && chain.segments() <= longest_whole_chain)
     solution = repair_in_windows(chain, std::move(solution));
+  return solution;
+}
+
+/// Along straight runs between arcs a quadratic's curvature is constant to the square of its turn: its peak is
+/// anywhere, and the equations are singular to rounding. With areas that count as none from `coarse` on they are not.
+constexpr double coarse = 1e-4;
+/// Longer chains take that for the solution before the more costly attempts.
+constexpr std::size_t longest_tried_on = 64;
+
+/// Sets the least area of the chain to that of the solution.
+Solution solve_by_newton(ChordChain& chain, double rounding) {
+  Effort effort;
+  double iterations = 0.0;
+  const auto counted = [&](Solution solution) {
+    effort += solution.effort;
+    iterations += solution.iterations;
+    return solution;
+  };
+  Solution solution = counted(solve_as(chain, Attempts::usual));
+  if (!solution.converged) {
+    ChordChain straightened = chain;
+    straightened.least_area = coarse;
+    Solution near = counted(solve_as(straightened, Attempts::usual));
+    if (near.converged) solution = counted(solve_chain(chain, near.state, &near.setting, Attempts::near, true));
+    if (!solution.converged && (!near.converged || chain.segments() <= longest_tried_on))
+      solution = counted(solve_all_ways(chain));
+    if (!solution.converged && near.converged) {
+      chain.least_area = coarse;
+      solution = std::move(near);
+    }
+  }
+  solution.effort = effort;
+  solution.iterations = iterations;
   shrink_at_inflections(chain, rounding, solution);
   return solution;
+}
+
+/// Points whose area counts as none, for a reason other than rounding.
+long straightened_points(const ChordChain& chain, const State& state) {
+  if (chain.least_area == ChordChain{}.least_area) return 0;
+  long count = 0;
+  for (std::size_t i = 1; i <= chain.segments(); ++i) {
+    const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
+    const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
+    count += std::abs(cross(before, after)) <= chain.least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
+  }
+  return count;
 }
 
 /// One unit in the last place of the largest coordinate.
@@ -114,7 +162,7 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
              .trace = {0.0}}};
   }
   const BasisKind basis = kind == SegmentKind::trigonometric ? BasisKind::trigonometric : BasisKind::cubic;
-  const ChordChain chain = make_chain(input.points, a, input.closed, basis);
+  ChordChain chain = make_chain(input.points, a, input.closed, basis);
   const Solution solution = iteration.published ? iterate_published(chain, iteration.max_iterations)
                                                 : solve_by_newton(chain, rounding_of(input.points));
 
@@ -131,11 +179,15 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
   }
   if (!solution.converged)
     report.message = fmt::format("not solved: the residual is {:.2g}, {:.0e} is asked for", report.residual, accuracy);
+  const long straightened = straightened_points(chain, solution.state);
+  if (solution.converged && straightened > 0)
+    report.message = fmt::format("on nearly straight runs {} segments have no curvature of their own", straightened);
   Assembled assembled = assemble(input, kind, chain, solution.state, solution.setting);
   fit.curve = std::move(assembled.curve);
   report.counters = std::move(assembled.counters);
   report.counters["sweeps"] = solution.effort.sweeps;
   report.counters["newton"] = solution.effort.newton;
+  report.counters["straightened"] = straightened;
   if (!iteration.published) report.counters["attempts"] = solution.effort.attempts;
   return fit;
 }

@@ -119,7 +119,7 @@ struct LogArea {
 };
 LogArea log_area(const ChordChain& chain, double softness, std::size_t i, double area) {
   const double scale = chain.chord[i - 1].norm() * chain.chord[i].norm();
-  const double soft = softness * scale, least = least_area * scale;
+  const double soft = softness * scale, least = chain.least_area * scale;
   const double square = area * area + soft * soft, bounded = std::max(square, least * least);
   return {0.5 * (std::log(bounded) + square / bounded - 1.0), area / bounded};
 }

@@ -105,9 +105,4 @@ struct Ends {
 [[nodiscard]] double stationary_parameter(const ChordChain& chain, std::size_t i, const Ends& q);
 [[nodiscard]] Blend stationary_blend(const ChordChain& chain, std::size_t i, const Ends& q);
 
-/// Below this fraction of the product of the two chords an area counts as none: what of it rounding decides, some
-/// 1e-16, then moves the log of areas by less than the square root of the accuracy, so that Newton converges along
-/// straight runs, where areas decay from point to point until they are all rounding.
-inline constexpr double least_area = 1e-10;
-
 }  // namespace kappabench::kappa
