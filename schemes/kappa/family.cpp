@@ -101,6 +101,18 @@ constexpr double coarse = 1e-4;
 /// Longer chains take that for the solution before the more costly attempts.
 constexpr std::size_t longest_tried_on = 64;
 
+/// Whether two points in a row lie straight between their neighbours, as coarsely.
+bool has_straight_run(const ChordChain& chain) {
+  bool before = false;
+  for (std::size_t i = 1; i <= chain.segments(); ++i) {
+    const Vec2 &to = chain.chord[i - 1], &from = chain.chord[i];
+    const bool straight = to.dot(from) > 0.0 && std::abs(cross(to, from)) <= coarse * to.norm() * from.norm();
+    if (straight && before) return true;
+    before = straight;
+  }
+  return false;
+}
+
 /// Sets the least area of the chain to that of the solution.
 Solution solve_by_newton(ChordChain& chain, double rounding) {
   Effort effort;
@@ -110,7 +122,8 @@ Solution solve_by_newton(ChordChain& chain, double rounding) {
     iterations += solution.iterations;
     return solution;
   };
-  Solution solution = counted(solve_as(chain, Attempts::usual));
+  Solution solution;
+  if (!has_straight_run(chain)) solution = counted(solve_as(chain, Attempts::usual));
   if (!solution.converged) {
     ChordChain straightened = chain;
     straightened.least_area = coarse;

@@ -85,7 +85,7 @@ int unsolved(const char* scheme, std::uint64_t from, std::uint64_t to, const Mak
 }  // namespace
 
 TEST_CASE("straights tangent to arcs are solved", "[kappa]") {
-  for (const char* scheme : {"ekappa:a=0.8", "ekappa:a=0.95", "ekappa-trig:a=0.8"}) {
+  for (const char* scheme : {"kappa", "ekappa:a=0.8", "ekappa:a=0.95", "ekappa-trig:a=0.8"}) {
     check_solved(scheme, track(20, 24, 5.0, 1.0, 0.3));
     check_solved(scheme, track(60, 30, 9.0, 0.7, 1.1));
     check_solved(scheme, track(5, 60, 2.0, 1.5, 0.0));
