@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -47,6 +48,7 @@ class Probe {
     if (!fit_.input.closed) return undefined;
     std::vector<int> order;
     const int n = fit_.input.size();
+    order.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) order.push_back((i + n / 2) % n);
     const Fit other = scheme_.fit(reordered(fit_.input, order));
     if (!other.curve) return infinite;
@@ -93,7 +95,7 @@ class Probe {
   std::vector<Span> original_;
 };
 
-constexpr int polygon_sizes[] = {3, 4, 5, 6, 8, 12, 16};
+constexpr std::array polygon_sizes{3, 4, 5, 6, 8, 12, 16};
 
 double distance_from_circle(const Scheme& scheme, int n) {
   Input input;

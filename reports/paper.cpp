@@ -8,7 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <initializer_list>
-#include <ranges>
+#include <iterator>
 #include <set>
 #include <span>
 #include <string_view>
@@ -39,7 +39,7 @@ class PaperFile {
     }
   }
 
-  std::string word(const toml::table& table, std::string_view key, bool required = true) const {
+  [[nodiscard]] std::string word(const toml::table& table, std::string_view key, bool required = true) const {
     const toml::node* node = table.get(key);
     if (node == nullptr) {
       if (required) refuse(table, fmt::format("'{}' is missing", key));
@@ -50,7 +50,8 @@ class PaperFile {
     return *text;
   }
 
-  std::vector<std::string> words(const toml::node* node, const toml::table& parent, std::string_view key) const {
+  [[nodiscard]] std::vector<std::string> words(const toml::node* node, const toml::table& parent,
+                                               std::string_view key) const {
     const toml::array* array = node == nullptr ? nullptr : node->as_array();
     if (array == nullptr) refuse(node == nullptr ? parent : *node, fmt::format("'{}' must be a list of texts", key));
     std::vector<std::string> result;
@@ -63,7 +64,7 @@ class PaperFile {
   }
 
   /// The tables under [[key]].
-  std::vector<const toml::table*> tables(const toml::table& root, std::string_view key) const {
+  [[nodiscard]] std::vector<const toml::table*> tables(const toml::table& root, std::string_view key) const {
     std::vector<const toml::table*> result;
     const toml::node* node = root.get(key);
     if (node == nullptr) return result;
@@ -91,7 +92,9 @@ StatementKind read_kind(const PaperFile& file, const toml::table& entry) {
   const std::string word = file.word(entry, "kind");
   const auto found = std::ranges::find(kinds, word, &decltype(kinds)::value_type::second);
   if (found != kinds.end()) return found->first;
-  file.refuse(entry, fmt::format("kind '{}' is none of {}", word, fmt::join(kinds | std::views::values, ", ")));
+  std::vector<std::string_view> known;
+  std::ranges::transform(kinds, std::back_inserter(known), &decltype(kinds)::value_type::second);
+  file.refuse(entry, fmt::format("kind '{}' is none of {}", word, fmt::join(known, ", ")));
 }
 
 /// A bound of `at_least`, `at_most`; both are for kinds that have a number.

@@ -256,11 +256,12 @@ void claim_step(Findings& found) {
     if (near[i - 1] <= near_border)
       exponents.push_back(std::log(width[i] / width[i - 1]) / std::log(near[i] / near[i - 1]));
   const bool known = !exponents.empty() && std::ranges::none_of(exponents, [](double e) { return std::isnan(e); });
-  const auto [low, high] = known ? std::ranges::minmax(exponents) : std::ranges::minmax({undefined});
+  study::Interval power{undefined, undefined};
+  if (known) power = {std::ranges::min(exponents), std::ranges::max(exponents)};
   found.judge(
-      "like-a-step", study::Interval{low, high},
+      "like-a-step", power,
       {fmt::format("curvature rises in a share of the length that falls as (xi - 1) to the power of {:.3g} to {:.3g}",
-                   low, high),
+                   power.low, power.high),
        fmt::format(
            "From 10 to 90 % of the range, by the automatic family at xi - 1 = {}: shares {:.2g}; exponents between "
            "neighbours from {} on. At c it is {:.2g}. A linear curvature has 0.8.",

@@ -275,6 +275,7 @@ void conclude(Findings& found) {
 
 Experiment pkappa_construction_experiment() {
   std::vector<std::string> claims;
+  claims.reserve(edits.size());
   for (const EditKind& what : edits) claims.emplace_back(what.claim);
   return study::experiment({.id = "pkappa-construction",
                             .title = "Inserting, closing and moving (Wang 2024, Figs. 6 to 8)",

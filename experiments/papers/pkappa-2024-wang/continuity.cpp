@@ -104,6 +104,7 @@ Uses uses_of(const Context& context, const Kind& kind, const Sort& sort) {
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
+  jobs.reserve(kinds.size() * (1 + sorts.size()));
   for (const Kind& kind : kinds)
     jobs.push_back(fit_job(drawing(shown), pkappa(context.registry, fmt::format("continuity={}", kind.option)),
                            {&find_metric("parabola_energy"), &find_metric("continuity")}, std::string(kind.words)));

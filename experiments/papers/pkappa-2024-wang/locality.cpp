@@ -52,7 +52,7 @@ std::vector<Way> ways(const Context& context) {
   if (texts.empty())
     for (const SchemeInfo& info : context.registry.list()) {
       texts.push_back(info.id);
-      if (info.id == "clothoid3") texts.push_back("clothoid3:curvature=conic");
+      if (info.id == "clothoid3") texts.emplace_back("clothoid3:curvature=conic");
     }
   std::vector<Way> found;
   for (const std::string& text : texts) {

@@ -65,10 +65,12 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   const Metric& energy = find_metric("parabola_energy");
   // In the unit of the mean chord, so that all three modes minimise the same.
+  jobs.reserve(drawn_stages.size() + stages.size());
   for (const std::size_t k : drawn_stages)
     jobs.push_back(profiled_job(scaled_to(drawing(shown), 1.0), pkappa(context.registry, stages[k].options),
                                 std::string(stages[k].words), {&energy, &find_metric("monotone_intervals")}));
   std::vector<Drawing> typical_drawings;
+  typical_drawings.reserve(inputs.size());
   for (const std::string_view id : inputs) typical_drawings.push_back(scaled_to(drawing(id), 1.0));
   for (const auto& [words, options] : stages) {
     const SchemePtr scheme = pkappa(context.registry, options);

@@ -122,6 +122,7 @@ void measure_kind(const Uses& uses, Notes& notes) {
 
 std::vector<CellJob> jobs(const Context& context) {
   std::vector<SchemePtr> schemes;
+  schemes.reserve(ways.size() + others.size());
   for (const Way& way : ways) schemes.push_back(pkappa(context.registry, way.options));
   for (const std::string_view id : others) schemes.push_back(context.registry.parse(std::string(id)));
   std::vector<CellJob> jobs;

@@ -159,8 +159,11 @@ Table cap_table(const Findings& found) {
                           capped_walks, usual_chord));
   table.counts("cap").numbers("mean E, (0, 0)", "1/length").numbers("mean E, (0.1, 0.1)", "1/length");
   table.numbers("length ratio, median").numbers("length ratio, largest");
-  for (const auto& [cap, own] : found.rows().by(cap_key)) {
-    const auto energy = [&](std::size_t p) { return own.where({weights_key(table_1[p].words)}).median(capped_energy); };
+  for (const auto& [cap, rows] : found.rows().by(cap_key)) {
+    const Rows& own = rows;  // a lambda cannot name a part of a pair
+    const auto energy = [&own](std::size_t p) {
+      return own.where({weights_key(table_1[p].words)}).median(capped_energy);
+    };
     const std::vector<double> ratios = elongations(own, capped_length);
     table.row({std::get<double>(cap), energy(unweighted), energy(chosen), median(ratios), largest(ratios)});
   }

@@ -92,6 +92,7 @@ std::vector<CellJob> weights_jobs(const Context& context) {
                 .seed = context.seed,
                 .words = {{"weights", std::string(weights.words)}}};
   };
+  jobs.reserve(4 * std::size(table_1));
   for (const Weights& weights : table_1)
     jobs.push_back(fit_job(scaled_to(drawing(weights_drawing), usual_chord), scheme(weights, "mode=paper,"),
                            {&energy, &find_metric("fairness"), &features}, std::string(weights.words)));
