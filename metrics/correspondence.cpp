@@ -53,6 +53,19 @@ std::vector<Span> spans(const Curve& curve, std::optional<int> left_out) {
   return result;
 }
 
+double length_of(const Span& span) {
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < span.samples.size(); ++i) length += (span.samples[i + 1] - span.samples[i]).norm();
+  return length;
+}
+
+std::vector<double> span_lengths(const Fit& fit) {
+  std::vector<double> lengths(fit.input.points.size(), std::numeric_limits<double>::infinity());
+  for (const Span& span : spans(*fit.curve))
+    if (span.from != no_point && span.from != span.to) lengths[static_cast<std::size_t>(span.from)] = length_of(span);
+  return lengths;
+}
+
 std::vector<Span> reversed(std::vector<Span> spans) {
   std::reverse(spans.begin(), spans.end());
   for (Span& span : spans) {
@@ -86,6 +99,7 @@ double deviation(std::span<const Span> a, std::span<const Span> b, bool closed) 
 std::vector<int> tried(int n) {
   const int count = n <= 60 ? n : 12;
   std::vector<int> chosen;
+  chosen.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) chosen.push_back(static_cast<int>(static_cast<long>(k) * n / count));
   return chosen;
 }

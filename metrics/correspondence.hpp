@@ -24,6 +24,13 @@ inline constexpr int samples_per_span = 17;
 /// over.
 [[nodiscard]] std::vector<Span> spans(const Curve& curve, std::optional<int> left_out = std::nullopt);
 
+/// Of the polygon through its samples.
+[[nodiscard]] double length_of(const Span& span);
+
+/// For every point of the fit, which has a curve, the length of the span from it to the next one; infinite where there
+/// is none.
+[[nodiscard]] std::vector<double> span_lengths(const Fit& fit);
+
 /// The same spans for the curve run backwards.
 [[nodiscard]] std::vector<Span> reversed(std::vector<Span> spans);
 

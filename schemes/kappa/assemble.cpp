@@ -73,11 +73,9 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
     q[i] = ends(chain, state, ratios, i);
     gone[i] = setting.form[i] == Form::shrunk ||
               (m > 1 && q[i].x.norm() < shrunk * chain.size[i] && q[i].y.norm() < shrunk * chain.size[i]);
-    const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
-    const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
-    const double turn = cross(before, after);
-    const bool straight = std::abs(turn) <= chain.least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
-    if (!gone[i]) pieces.push_back({i, turn > 0.0 ? 1 : turn < 0.0 ? -1 : 0, straight});
+    const PolygonLegs legs = polygon_legs(chain, state, i);
+    const double turn = cross(legs.before, legs.after);
+    if (!gone[i]) pieces.push_back({i, turn > 0.0 ? 1 : turn < 0.0 ? -1 : 0, is_straight(chain, legs, i)});
   }
   // Each joint once, so that its two segments meet exactly; a shrunken segment gives its point to both.
   std::vector<Vec2> joint(m + 1);
@@ -105,7 +103,7 @@ Assembled assemble(const Input& input, SegmentKind kind, const ChordChain& chain
                        .marks = {std::string(marks::at_inflection)}});
       continue;
     }
-    const bool pinned = form == Form::at_start || form == Form::at_end;
+    const bool pinned = is_pinned(form);
     const double t = form == Form::at_start ? 0.0 : form == Form::at_end ? last : stationary_parameter(chain, i, q[i]);
     Node node{.point = point_of(i), .segment = static_cast<int>(segments.size()), .t = t / last};
     if (pinned) node.marks.emplace_back(marks::pinned);

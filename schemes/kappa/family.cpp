@@ -123,13 +123,15 @@ Solution solve_by_newton(ChordChain& chain, double rounding) {
     return solution;
   };
   Solution solution;
-  if (!has_straight_run(chain)) solution = counted(solve_as(chain, Attempts::usual));
+  const bool bent = !has_straight_run(chain), in_windows = chain.segments() > longest_whole_chain;
+  if (bent) solution = counted(solve_as(chain, Attempts::usual));
   if (!solution.converged) {
     ChordChain straightened = chain;
     straightened.least_area = coarse;
     Solution near = counted(solve_as(straightened, Attempts::usual));
     if (near.converged) solution = counted(solve_chain(chain, near.state, &near.setting, Attempts::near, true));
-    if (!solution.converged && (!near.converged || chain.segments() <= longest_tried_on))
+    const bool all_tried = bent && in_windows;  // windows know but one way
+    if (!solution.converged && !all_tried && (!near.converged || chain.segments() <= longest_tried_on))
       solution = counted(solve_all_ways(chain));
     if (!solution.converged && near.converged) {
       chain.least_area = coarse;
@@ -146,19 +148,8 @@ Solution solve_by_newton(ChordChain& chain, double rounding) {
 long straightened_points(const ChordChain& chain, const State& state) {
   if (chain.least_area == ChordChain{}.least_area) return 0;
   long count = 0;
-  for (std::size_t i = 1; i <= chain.segments(); ++i) {
-    const Vec2 before = chain.chord[i - 1] + state.e[i] - state.e[i - 1];
-    const Vec2 after = chain.chord[i] + state.e[i + 1] - state.e[i];
-    count += std::abs(cross(before, after)) <= chain.least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
-  }
+  for (std::size_t i = 1; i <= chain.segments(); ++i) count += is_straight(chain, polygon_legs(chain, state, i), i);
   return count;
-}
-
-/// One unit in the last place of the largest coordinate.
-double rounding_of(std::span<const Vec2> points) {
-  double largest = 0.0;
-  for (const Vec2& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return std::numeric_limits<double>::epsilon() * largest;
 }
 
 }  // namespace
@@ -176,8 +167,9 @@ Fit fit_family(const Input& input, SegmentKind kind, std::span<const double> a, 
   }
   const BasisKind basis = kind == SegmentKind::trigonometric ? BasisKind::trigonometric : BasisKind::cubic;
   ChordChain chain = make_chain(input.points, a, input.closed, basis);
-  const Solution solution = iteration.published ? iterate_published(chain, iteration.max_iterations)
-                                                : solve_by_newton(chain, rounding_of(input.points));
+  const double rounding = std::numeric_limits<double>::epsilon() * largest_coordinate(input);
+  const Solution solution =
+      iteration.published ? iterate_published(chain, iteration.max_iterations) : solve_by_newton(chain, rounding);
 
   Fit fit{.input = input, .curve = std::nullopt, .report = {}};
   Report& report = fit.report;

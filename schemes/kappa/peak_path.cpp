@@ -165,17 +165,13 @@ class PeakNewton {
       v.miss[i] = (b.b0 * q.x + b.b1 * e + b.b2 * q.y) / chain_.size[i];
       count(v.miss[i].norm(), 1.0);
       count(v.jump[i], v.weight[i]);
-      if (!pinned(setting, i)) count(peak(i, at.t[i], e - q.x, q.y - e, setting.softness).value, 1.0);
+      if (!is_pinned(setting.form[i])) count(peak(i, at.t[i], e - q.x, q.y - e, setting.softness).value, 1.0);
     }
   }
 
   /// `t`, kept from an end by part of the distance that it had.
   [[nodiscard]] double inside(double before, double t) const {
     return std::clamp(t, nearest * before, last_ - nearest * (last_ - before));
-  }
-
-  static bool pinned(const Setting& setting, std::size_t i) {
-    return setting.form[i] == Form::at_start || setting.form[i] == Form::at_end;
   }
 
   void linearise(const PeakState& at, const Setting& setting, const Values& values) {
@@ -197,14 +193,13 @@ class PeakNewton {
       upper.template block<2, 4>(2, 0) = block4_.upper[i - 1].template block<2, 4>(2, 0);
       const double l0 = values.ratios.lambda[i - 1], r0 = values.ratios.rest[i - 1], l1 = values.ratios.lambda[i],
                    r1 = values.ratios.rest[i];
-      const Vec2 before = chain_.chord[i - 1] + at.state.e[i] - at.state.e[i - 1];
-      const Vec2 after = chain_.chord[i] + at.state.e[i + 1] - at.state.e[i];
+      const PolygonLegs polygon = polygon_legs(chain_, at.state, i);
       // One row with gradients by e, X and Y.
       const auto put = [&](Eigen::Index row, const Vec2& by_e, const Vec2& by_x, const Vec2& by_y) {
         lower.template block<1, 2>(row, 0) = r0 * by_x.transpose();
-        lower(row, 2) = l0 * r0 * by_x.dot(before);
+        lower(row, 2) = l0 * r0 * by_x.dot(polygon.before);
         diagonal.template block<1, 2>(row, 0) = (by_e + l0 * by_x + r1 * by_y).transpose();
-        diagonal(row, 2) = l1 * r1 * by_y.dot(after);
+        diagonal(row, 2) = l1 * r1 * by_y.dot(polygon.after);
         upper.template block<1, 2>(row, 0) = l1 * by_y.transpose();
       };
       const Ends q = ends(chain_, at.state, values.ratios, i);
@@ -219,7 +214,7 @@ class PeakNewton {
       }
       right_[i - 1].template head<4>() = right4_[i - 1];
       right_[i - 1].template head<2>() = -values.miss[i];
-      if (pinned(setting, i)) {
+      if (is_pinned(setting.form[i])) {
         diagonal(4, 4) = 1.0;
         right_[i - 1](4) = 0.0;
       } else {
@@ -239,7 +234,7 @@ class PeakNewton {
       const Vec2 e = s.head<2>();
       to.state.e[i] += fraction * std::min(1.0, longest_step / (e.norm() / chain_.size[i])) * e;
       if (chain_.closed || i < m) to.state.x[i] += fraction * std::clamp(s(2), -longest_step, longest_step);
-      if (!pinned(setting, i)) to.t[i] = inside(at.t[i], at.t[i] + fraction * s(4));
+      if (!is_pinned(setting.form[i])) to.t[i] = inside(at.t[i], at.t[i] + fraction * s(4));
     }
     to.state.close(chain_);
   }
@@ -299,7 +294,7 @@ bool solve_exactly(const ChordChain& chain, PeakNewton& newton, PeakState& at, S
     const bool ok = newton.run(at, setting, corrector_steps, 0.1 * accuracy) || newton.residual() <= accuracy;
     int changed = 0;
     for (std::size_t i = 1; i <= m; ++i) {
-      if (setting.form[i] == Form::at_start || setting.form[i] == Form::at_end) {
+      if (is_pinned(setting.form[i])) {
         const bool start = setting.form[i] == Form::at_start;
         const double k = newton.slope_at(at, i, at.t[i]);
         if (start ? k > accuracy : k < -accuracy) {

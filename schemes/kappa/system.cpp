@@ -101,14 +101,6 @@ InterpolationDerivatives interpolate_derivatives(BasisKind kind, double a, Form 
                                   : SegmentRow<TrigonometricBasis>(a, form, softness).derivatives(e, q, t);
 }
 
-/// Legs of the control polygon at point i: c_i - c_{i-1} and c_{i+1} - c_i.
-struct PolygonLegs {
-  Vec2 before, after;
-};
-PolygonLegs polygon_legs(const ChordChain& chain, const State& state, std::size_t i) {
-  return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
-}
-
 /// Turns of the control polygon below this are not known to the accuracy that is asked for.
 constexpr double resolved_turn = 1e-3;
 
@@ -125,6 +117,15 @@ LogArea log_area(const ChordChain& chain, double softness, std::size_t i, double
 }
 
 }  // namespace
+
+PolygonLegs polygon_legs(const ChordChain& chain, const State& state, std::size_t i) {
+  return {chain.chord[i - 1] + state.e[i] - state.e[i - 1], chain.chord[i] + state.e[i + 1] - state.e[i]};
+}
+
+bool is_straight(const ChordChain& chain, const PolygonLegs& legs, std::size_t i) {
+  const double area = cross(legs.before, legs.after);
+  return std::abs(area) <= chain.least_area * chain.chord[i - 1].norm() * chain.chord[i].norm();
+}
 
 Setting uniform_setting(const ChordChain& chain, Form form) {
   return {.form = std::vector<Form>(chain.segments() + 2, form)};

@@ -35,6 +35,18 @@ struct Ratios {
   std::vector<double> lambda, rest;
 };
 
+/// Whether the form holds the point at an end of its segment.
+[[nodiscard]] inline bool is_pinned(Form form) { return form == Form::at_start || form == Form::at_end; }
+
+/// Legs of the control polygon at point i: c_i - c_{i-1} and c_{i+1} - c_i.
+struct PolygonLegs {
+  Vec2 before, after;
+};
+[[nodiscard]] PolygonLegs polygon_legs(const ChordChain& chain, const State& state, std::size_t i);
+
+/// Whether the area T_i between these legs counts as none (ChordChain::least_area).
+[[nodiscard]] bool is_straight(const ChordChain& chain, const PolygonLegs& legs, std::size_t i);
+
 /// The equations' values at a state. Indices are those of ChordChain.
 struct Values {
   Ratios ratios;

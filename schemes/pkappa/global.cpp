@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "schemes/pkappa/frame.hpp"
 #include "schemes/pkappa/local.hpp"
 #include "schemes/pkappa/soundness.hpp"
 #include "schemes/pkappa/spans.hpp"
@@ -15,22 +16,21 @@
 namespace kappabench::pkappa {
 namespace {
 
-JointChain bare_chain(const Input& input, const Vec2& origin, double unit, bool own_units) {
+JointChain bare_chain(const Input& input, const Frame& frame, bool own_units) {
   const std::vector<Vec2>& points = input.points;
   const bool closed = input.closed;
   JointChain chain{.cyclic = closed};
-  const auto into = [&](const Vec2& p) { return Vec2((p - origin) / unit); };
   const std::size_t skip = closed ? 0 : 1;
   for (std::size_t i = skip; i + skip < points.size(); ++i) {
-    chain.points.push_back(into(points[i]));
-    if (own_units) chain.units.push_back(chord_at(points, i) / unit);
+    chain.points.push_back(frame.into(points[i]));
+    if (own_units) chain.units.push_back(chord_at(points, i) / frame.unit);
   }
   chain.joints.resize(chain.size() + (closed ? 0 : 1));
   chain.freedom.assign(chain.joints.size(), Freedom::all);
   if (!closed) {
     chain.freedom.front() = chain.freedom.back() = Freedom::end_point;
-    chain.joints.front().position = into(points.front());
-    chain.joints.back().position = into(points.back());
+    chain.joints.front().position = frame.into(points.front());
+    chain.joints.back().position = frame.into(points.back());
   }
   return chain;
 }
@@ -185,11 +185,6 @@ Minimum settle(JointChain& chain, const QuadratureRule& rule, const Weights& wei
 }
 
 /// Where a drawing is solved as one problem.
-struct Frame {
-  Vec2 origin;
-  double unit;
-};
-
 Frame frame_for(const Input& input, const WindowSettings& settings) {
   return {input.points.front(), settings.unit == Unit::paper ? 1.0 : mean_chord(input)};
 }
@@ -197,8 +192,7 @@ Frame frame_for(const Input& input, const WindowSettings& settings) {
 template <Continuity K>
 Spline<K> spline_of(const JointChain& chain, const Frame& frame) {
   Spline<K> spline{.control = {}, .t = chain.t};
-  for (std::size_t i = 0; i < chain.size(); ++i)
-    spline.control.push_back((polygon<K>(chain, i) * frame.unit).colwise() + frame.origin);
+  for (std::size_t i = 0; i < chain.size(); ++i) spline.control.push_back(frame.out_of(polygon<K>(chain, i)));
   return spline;
 }
 
@@ -206,7 +200,7 @@ Spline<K> spline_of(const JointChain& chain, const Frame& frame) {
 template <Continuity K>
 std::optional<JointChain> chain_through(const JointChain& bare, Spline<K> spline, const Frame& frame) {
   for (auto& control : spline.control) {
-    control = (control.colwise() - frame.origin) / frame.unit;
+    control = frame.into(control);
     if (!control.allFinite()) return std::nullopt;
   }
   JointChain chain = bare;
@@ -226,11 +220,6 @@ std::optional<JointChain> chain_through(const JointChain& bare, Spline<K> spline
   return chain;
 }
 
-struct Judgement {
-  bool sound;
-  double energy;
-};
-
 /// In the weights that were minimised last.
 template <Continuity K>
 Judgement judge(const JointChain& chain, const Weights& weights) {
@@ -239,10 +228,7 @@ Judgement judge(const JointChain& chain, const Weights& weights) {
 }
 
 /// By more than what the tolerance of a minimisation leaves open.
-bool below(const Judgement& a, const Judgement& b) {
-  constexpr double tolerance = 1e-9;
-  return a.sound != b.sound ? a.sound : a.energy < (1.0 - tolerance) * b.energy;
-}
+bool below(const Judgement& a, const Judgement& b) { return better(a, b, 1.0 - 1e-9); }
 
 Weights last_weights(const WindowSettings& settings) {
   return settings.second_iterations == 0 ? settings.weights : settings.reduced_weights();
@@ -301,7 +287,7 @@ template <Continuity K>
 Spline<K> solve_globally(const Input& input, const WindowSettings& given, GlobalReport& report) {
   const WindowSettings settings = for_whole_curve(given);
   const Frame frame = frame_for(input, settings);
-  const JointChain bare = bare_chain(input, frame.origin, frame.unit, settings.unit == Unit::span);
+  const JointChain bare = bare_chain(input, frame, settings.unit == Unit::span);
   std::optional<JointChain> chain = whole_curve<K>(bare, settings, report);
 
   // The curve by windows, if it is below, is the better start, and never a worse end.
@@ -327,7 +313,7 @@ Spline<K> solve_locally(const Input& input, const WindowSettings& settings, Loca
   Spline<K> by_windows = construct<K>(input, settings, report);
   if (!settings.robust || settings.solver != Solver::lm || input.size() > longest) return by_windows;
   const Frame frame = frame_for(input, settings);
-  const JointChain bare = bare_chain(input, frame.origin, frame.unit, settings.unit == Unit::span);
+  const JointChain bare = bare_chain(input, frame, settings.unit == Unit::span);
   const std::optional<JointChain> local = chain_through<K>(bare, by_windows, frame);
   if (local && all_good(check_segments<K>(*local, fine_gauss_rule()))) return by_windows;
   GlobalReport whole;

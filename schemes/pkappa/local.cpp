@@ -23,10 +23,10 @@ std::span<const Vec2> passed_points(std::span<const Vec2> points, bool closed) {
   return closed ? points : points.subspan(1, points.size() - 2);
 }
 
-/// Solves for `count` consecutive segments from `first` on, with wrap-around, and leaves the others as they are.
+/// The `count` consecutive segments from `first` on, with wrap-around, and what they pass.
 template <Continuity K>
-WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool closed, std::size_t first,
-                         std::size_t count, const WindowSettings& settings) {
+Window<K> window_of(const Spline<K>& spline, std::span<const Vec2> points, bool closed, std::size_t first,
+                    std::size_t count) {
   const std::size_t n = spline.t.size();
   const std::span<const Vec2> passed = passed_points(points, closed);
   Window<K> window{.first = !closed && first == 0 ? Freedom::end_point : Freedom::none,
@@ -38,6 +38,15 @@ WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool c
     window.points.push_back(passed[i]);
     window.chords.push_back(chord_at(points, closed ? i : i + 1));
   }
+  return window;
+}
+
+/// Solves for the segments of a window, and leaves the others as they are.
+template <Continuity K>
+WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool closed, std::size_t first,
+                         std::size_t count, const WindowSettings& settings) {
+  const std::size_t n = spline.t.size();
+  Window<K> window = window_of<K>(spline, points, closed, first, count);
   const WindowReport report = solve_window<K>(window, settings);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (first + k) % n;
@@ -47,52 +56,24 @@ WindowReport solve_range(Spline<K>& spline, std::span<const Vec2> points, bool c
   return report;
 }
 
-/// A part of a spline, judged in the sound unit, whatever unit it was minimised in: with each segment's energy over its
-/// own chords, a window can be held against a wider one.
-struct Judgement {
-  bool sound;
-  double energy;  ///< weighted as in stage 2
-};
-
-bool better(const Judgement& a, const Judgement& b) {
-  constexpr double clearly = 0.999;
-  return a.sound != b.sound ? a.sound : a.energy < clearly * b.energy;
+/// Of segments as they are; `cyclic`: they are a whole closed curve.
+template <Continuity K>
+std::vector<SegmentCheck> checks_of(const Window<K>& window, bool cyclic) {
+  constexpr int degree = Layout<K>::degree;
+  return check_segments<degree>(std::span<const ControlPolygon<degree>>(window.start.control), window.start.t,
+                                window.points, window.chords, cyclic, fine_gauss_rule());
 }
 
-/// The segments of a spline with what they pass: `count` from `first` on.
+/// In the sound unit, whatever unit they were minimised in: with each segment's energy over its own chords, a window
+/// can be held against a wider one.
 template <Continuity K>
-struct Stretch {
-  Spline<K> spline;
-  std::vector<Vec2> points;
-  std::vector<double> units;
-  bool cyclic;
-
-  Stretch(const Spline<K>& whole, std::span<const Vec2> given, bool closed, std::size_t first, std::size_t count)
-      : cyclic(closed && count == whole.t.size()) {
-    const std::span<const Vec2> passed = passed_points(given, closed);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = (first + k) % whole.t.size();
-      spline.control.push_back(whole.control[i]);
-      spline.t.push_back(whole.t[i]);
-      points.push_back(passed[i]);
-      units.push_back(chord_at(given, closed ? i : i + 1));
-    }
-  }
-
-  [[nodiscard]] std::vector<SegmentCheck> checks() const {
-    constexpr int degree = Layout<K>::degree;
-    return check_segments<degree>(std::span<const ControlPolygon<degree>>(spline.control), spline.t, points, units,
-                                  cyclic, fine_gauss_rule());
-  }
-
-  [[nodiscard]] Judgement judge(const Weights& weights) const {
-    SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
-    Judgement judgement{.sound = all_sound(checks()), .energy = 0.0};
-    for (std::size_t i = 0; i < spline.t.size(); ++i)
-      judgement.energy += energy.terms(spline.control[i], spline.t[i]).weighted(weights.in(units[i]));
-    return judgement;
-  }
-};
+Judgement judge(const Window<K>& window, bool cyclic, const Weights& weights) {
+  SegmentEnergy<Layout<K>::degree> energy(fine_gauss_rule());
+  Judgement judgement{.sound = all_sound(checks_of<K>(window, cyclic)), .energy = 0.0};
+  for (std::size_t i = 0; i < window.points.size(); ++i)
+    judgement.energy += energy.terms(window.start.control[i], window.start.t[i]).weighted(weights.in(window.chords[i]));
+  return judgement;
+}
 
 /// The most segments that a window is widened to.
 constexpr std::size_t widest = 15;
@@ -104,10 +85,12 @@ bool improve(Spline<K>& spline, std::span<const Vec2> points, bool closed, std::
   Spline<K> attempt = spline;
   const WindowReport window = solve_range<K>(attempt, points, closed, first, count, settings);
   report.add(window);
-  const auto judge = [&](const Spline<K>& s) {
-    return Stretch<K>(s, points, closed, first, count).judge(settings.reduced_weights());
+  const bool cyclic = closed && count == spline.t.size();
+  const auto judged = [&](const Spline<K>& s) {
+    return judge<K>(window_of<K>(s, points, closed, first, count), cyclic, settings.reduced_weights());
   };
-  if (!better(judge(attempt), judge(spline))) return false;
+  constexpr double clearly = 0.999;
+  if (!better(judged(attempt), judged(spline), clearly)) return false;
   ++report.widened;
   spline = std::move(attempt);
   return all_good(window.checks);
@@ -136,7 +119,7 @@ void mend(Spline<K>& spline, std::span<const Vec2> points, bool closed, const Wi
           LocalReport& report) {
   if (!settings.robust) return;
   const std::size_t n = spline.t.size();
-  const std::vector<SegmentCheck> checks = Stretch<K>(spline, points, closed, 0, n).checks();
+  const std::vector<SegmentCheck> checks = checks_of<K>(window_of<K>(spline, points, closed, 0, n), closed);
   std::size_t tried = 0;  // the segments before it: each was well inside of a window that all widths were tried for
   for (std::size_t i = 0; i < n; ++i) {
     if (checks[i].good() || i < tried) continue;

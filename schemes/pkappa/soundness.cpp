@@ -82,6 +82,10 @@ std::vector<SegmentCheck> check_segments(const JointChain& chain, const Quadratu
 bool all_sound(std::span<const SegmentCheck> checks) { return std::ranges::all_of(checks, &SegmentCheck::sound); }
 bool all_good(std::span<const SegmentCheck> checks) { return std::ranges::all_of(checks, &SegmentCheck::good); }
 
+bool better(const Judgement& a, const Judgement& b, double part) {
+  return a.sound != b.sound ? a.sound : a.energy < part * b.energy;
+}
+
 template std::vector<SegmentCheck> check_segments<4>(std::span<const ControlPolygon<4>>, std::span<const double>,
                                                      std::span<const Vec2>, std::span<const double>, bool,
                                                      const QuadratureRule&);

@@ -36,4 +36,13 @@ template <Continuity K>
 [[nodiscard]] bool all_sound(std::span<const SegmentCheck> checks);
 [[nodiscard]] bool all_good(std::span<const SegmentCheck> checks);
 
+/// What segments are worth: whether all are sound, and their weighted energy.
+struct Judgement {
+  bool sound;
+  double energy;
+};
+
+/// Sound where the other is not, or else below `part` of its energy.
+[[nodiscard]] bool better(const Judgement& a, const Judgement& b, double part);
+
 }  // namespace kappabench::pkappa

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "schemes/pkappa/frame.hpp"
 #include "schemes/pkappa/soundness.hpp"
 #include "schemes/pkappa/starts.hpp"
 
@@ -23,27 +24,12 @@ double window_unit(const Window<K>& window) {
   return sum / static_cast<double>(passed.size() - 1);
 }
 
-/// Lengths over `unit`, measured from `origin`.
-struct Frame {
-  Vec2 origin;
-  double unit;
-
-  template <class Points>
-  [[nodiscard]] Points into(const Points& points) const {
-    return (points.colwise() - origin) / unit;
-  }
-  template <class Points>
-  [[nodiscard]] Points out_of(const Points& points) const {
-    return (points * unit).colwise() + origin;
-  }
-};
-
 template <Continuity K>
 JointChain chain_in(const Frame& frame, const Window<K>& window, Unit unit) {
   std::vector<ControlPolygon<Layout<K>::degree>> control;
   for (const auto& c : window.start.control) control.push_back(frame.into(c));
   std::vector<Vec2> points;
-  for (const Vec2& p : window.points) points.emplace_back((p - frame.origin) / frame.unit);
+  for (const Vec2& p : window.points) points.push_back(frame.into(p));
   JointChain chain = chain_of<K>(control, window.start.t, points, window.first, window.last);
   if (unit == Unit::span)
     for (const double chord : window.chords) chain.units.push_back(chord / frame.unit);

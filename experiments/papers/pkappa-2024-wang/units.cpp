@@ -74,20 +74,6 @@ const study::Key kind_key{std::string(kind_word)}, curve_key{"curve"}, way_key{"
 const Quantity converged = study::count_of("converged"), longest{"longest span", "1", Method::sampled},
                energy{"energy", "1", Method::sampled}, seconds{"seconds", "s", Method::sampled};
 
-double length_of(const Span& span) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < span.samples.size(); ++i) length += (span.samples[i + 1] - span.samples[i]).norm();
-  return length;
-}
-
-/// For every point the length of the span to the next one; infinite where there is none.
-std::vector<double> span_lengths(const Fit& fit) {
-  std::vector<double> lengths(fit.input.points.size(), std::numeric_limits<double>::infinity());
-  for (const Span& span : spans(*fit.curve))
-    if (span.from != no_point && span.from != span.to) lengths[static_cast<std::size_t>(span.from)] = length_of(span);
-  return lengths;
-}
-
 double longest_span(const Fit& fit, const std::vector<double>& shortest) {
   const std::vector<double> lengths = span_lengths(fit);
   double ratio = 0.0;

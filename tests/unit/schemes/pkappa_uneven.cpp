@@ -23,20 +23,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double length_of(const Span& span) {
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < span.samples.size(); ++i) length += (span.samples[i + 1] - span.samples[i]).norm();
-  return length;
-}
-
-/// For every point the length of the span to the next one; infinite where there is none.
-std::vector<double> span_lengths(const Fit& fit) {
-  std::vector<double> lengths(fit.input.points.size(), infinity);
-  for (const Span& span : spans(*fit.curve))
-    if (span.from != no_point && span.from != span.to) lengths[static_cast<std::size_t>(span.from)] = length_of(span);
-  return lengths;
-}
-
 /// The shortest that another scheme draws there.
 std::vector<double> shortest_of_others(const Input& input) {
   std::vector<double> shortest(input.points.size(), infinity);
