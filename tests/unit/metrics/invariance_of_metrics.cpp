@@ -140,7 +140,7 @@ TEST_CASE("no metric depends on how a curve is written down", "[metrics][invaria
       {.name = "1e7 chords away", .offset = 1e7}};
   for (const Drawn& drawn : drawings())
     for (const Rewritten& way : ways) {
-      const SchemeTraits& traits = scheme(drawn.scheme)->info().traits;
+      const SchemeTraits traits = scheme(drawn.scheme)->info().traits;
       const bool another_curve =
           (way.reverse && !traits.reversal_invariant) || (way.first > 0 && !traits.cyclic_shift_invariant);
       if (!another_curve) check_that_columns_stay(drawn, way);
