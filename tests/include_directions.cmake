@@ -3,13 +3,14 @@
 # Run as: cmake -DROOT=<checkout> -P tests/include_directions.cmake
 
 file(GLOB scheme_folders LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/schemes/*/)
-list(FILTER scheme_folders EXCLUDE REGEX "schemes/(numerics|curve|segments|api)$")
+list(FILTER scheme_folders EXCLUDE REGEX "schemes/(numerics|curve|segments|api|plugin)$")
 file(GLOB paper_folders LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/experiments/papers/*/)
 
 set(allowed_schemes/numerics "")
 set(allowed_schemes/curve schemes/numerics)
 set(allowed_schemes/segments schemes/numerics schemes/curve)
-set(allowed_schemes/api schemes/curve)
+set(allowed_schemes/api schemes/curve schemes/segments)
+set(allowed_schemes/plugin schemes/curve schemes/api)
 foreach(folder ${scheme_folders})
   set(allowed_${folder} schemes/numerics schemes/curve schemes/segments schemes/api)
 endforeach()
@@ -22,8 +23,9 @@ foreach(folder ${paper_folders} experiments/across)
   set(allowed_${folder} ${allowed_experiments/study} schemes experiments/study)
 endforeach()
 set(allowed_experiments/check schemes/curve schemes/api metrics datasets)
-set(allowed_experiments/program ${allowed_experiments/study} experiments/study experiments/across experiments/check)
-set(rooms schemes/numerics schemes/curve schemes/segments schemes/api ${scheme_folders} metrics datasets reports
+set(allowed_experiments/program ${allowed_experiments/study} schemes/plugin experiments/study experiments/across
+    experiments/check)
+set(rooms schemes/numerics schemes/curve schemes/segments schemes/api schemes/plugin ${scheme_folders} metrics datasets reports
           experiments/run experiments/study ${paper_folders} experiments/across experiments/check experiments/program)
 
 set(violations "")

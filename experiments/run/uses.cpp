@@ -33,6 +33,7 @@ class Hash {
 void add_scheme(Hash& hash, const Scheme& scheme) {
   hash.add(fmt::format("{} {}", scheme.info().id, scheme.info().version));
   hash.add(scheme.parameters().canonical());
+  if (!scheme.info().plugin_digest.empty()) hash.add(scheme.info().plugin_digest);
 }
 
 void add_options(Hash& hash, const PointOptions& options) {

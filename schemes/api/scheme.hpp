@@ -45,6 +45,9 @@ struct SchemeInfo {
   int version = 1;                ///< raise when results change: cells of older versions are recomputed
   std::vector<MarkSpec> marks{};  ///< all that it may set on nodes
   std::map<std::string, std::string> libraries{};  ///< those of its own that it computes with, and their versions
+  /// Of a scheme from outside: the file it came from, and a digest of all that it consists of, part of every key.
+  std::string plugin{};
+  std::string plugin_digest{};
 };
 
 /// A way to turn points into a curve, with its parameters already chosen. Immutable; `fit` may be called
