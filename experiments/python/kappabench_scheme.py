@@ -13,11 +13,12 @@ parameters  dict: a value for every [[parameter]] of the manifest
 options     list of n dicts: what was said of each point (tangent in degrees, curvature, a, type, ...), mostly empty
 returns     a list of segments, in order; or ks.Answer(segments, iterations=..., ...) to say more
 
-Raise ks.Unsupported("why") for input that the scheme does not take, any other exception when it fails. Printing is safe:
-standard output is the wire to kappabench, so serve() sends what you print to standard error.
+Raise ks.Unsupported("why") for input that the scheme does not take, any other exception when it fails. Printing is safe
+once this file is imported: standard output is the wire to kappabench, so what you print goes to standard error.
 """
 import json
 import os
+import stat
 import sys
 import time
 import traceback
@@ -74,6 +75,23 @@ def sampled(t, position, first, second):
     return dict(columns, type="sampled")
 
 
+def _take_wire():
+    """Standard output for us alone: what is printed, by libraries too, goes to standard error."""
+    wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    sys.stdout = sys.stderr
+    return wire
+
+
+# At once if it is kappabench that asks, through a pipe; a notebook may import this and print as before.
+_wire = _take_wire() if stat.S_ISFIFO(os.fstat(0).st_mode) else None
+
+
+def _place(error):
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    return "%s:%d" % (os.path.basename(frame.filename), frame.lineno)
+
+
 def _answer(fit, question):
     points = question["points"] if numpy is None else numpy.array(question["points"], float).reshape(-1, 2)
     start = time.perf_counter()
@@ -84,7 +102,8 @@ def _answer(fit, question):
         fields = {"outcome": "unsupported_input", "message": str(why), "segments": []}
     except Exception as error:
         traceback.print_exc()
-        fields = {"outcome": "failed", "message": "%s: %s" % (type(error).__name__, error), "segments": []}
+        message = "%s: %s (%s)" % (type(error).__name__, error, _place(error))
+        fields = {"outcome": "failed", "message": message, "segments": []}
     return dict(fields, format="kappabench-curve", version=2, seconds=time.perf_counter() - start)
 
 
@@ -95,8 +114,7 @@ def _plain(value):
 
 def serve(fit):
     """Answers kappabench until it has no more questions."""
-    wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what is printed, by libraries too, goes to standard error
+    wire = _wire or _take_wire()
     for line in sys.stdin:
         answer = _answer(fit, json.loads(line))
         try:
