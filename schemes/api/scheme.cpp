@@ -72,7 +72,7 @@ Fit solved(const Input& input, const Placement& frame, Solve solve) {
   const Input local = at_home ? Input{} : place(input, frame.inverse());
   const auto start = std::chrono::steady_clock::now();
   Fit fit = solve(at_home ? input : local);
-  if (!fit.report.counters.contains(std::string(timed_outside)))
+  if (!is_timed_outside(fit.report))
     fit.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (fit.curve) {
     if (at_home) {
