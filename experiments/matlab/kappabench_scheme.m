@@ -51,10 +51,18 @@ end
 
 function read = line_reader()
 if is_octave()
-  read = @() fgetl(stdin);
+  read = @line_of_octave;
 else
   reader = java.io.BufferedReader(java.io.InputStreamReader(java.lang.System.in));
   read = @() text_or_end(reader.readLine());
+end
+end
+
+function line = line_of_octave()
+try
+  line = input('', 's');  % fgetl would wait for the first character of the line after it
+catch
+  line = -1;  % no more questions
 end
 end
 
