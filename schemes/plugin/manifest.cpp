@@ -331,9 +331,14 @@ void load_manifest(const fs::path& file, Registry& registry) {
   Manifest manifest = read_manifest(file);
   SchemeInfo info = manifest.info;
   // One program for all instances of the scheme, whatever their parameters.
-  registry.add(std::move(info), [external = std::make_shared<External>(std::move(manifest))](const Parameters& given) {
-    return std::make_shared<const ExternalScheme>(external, given);
-  });
+  const auto external = std::make_shared<External>(std::move(manifest));
+  try {
+    registry.add(std::move(info), [external](const Parameters& given) {
+      return std::make_shared<const ExternalScheme>(external, given);
+    });
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}; choose another id", file.string(), error.what()));
+  }
 }
 
 }  // namespace kappabench

@@ -207,7 +207,7 @@ TEST_CASE("A manifest that cannot be used takes no other with it") {
   REQUIRE(failures.size() == 3);
   CHECK_THAT(failures[0].why, ContainsSubstring("missing.toml: cannot be read; a manifest is a TOML file"));
   CHECK_THAT(failures[1].why, ContainsSubstring("bad.toml:1: id: not a text"));
-  CHECK_THAT(failures[2].why, ContainsSubstring("'my-spline' is registered already"));
+  CHECK_THAT(failures[2].why, ContainsSubstring("again.toml: scheme 'my-spline' is registered already; choose"));
 }
 
 TEST_CASE("An id that a built-in scheme has is taken") {
