@@ -39,6 +39,7 @@ function answer = answer_to(fit, question, start) %#ok<INUSL> used inside evalc
 points = reshape(question.points, [], 2); %#ok<NASGU>
 options = reshape(question.options, 1, []);
 if ~iscell(options), options = num2cell(options); end %#ok<NASGU>
+result = {};
 printed = evalc('result = fit(points, question.closed, question.parameters, options);');
 seconds = toc(start);
 if ~isempty(printed), fprintf(2, '%s', printed); end

@@ -252,6 +252,53 @@ TEST_CASE("The question has the points, their options in the units of files, and
         "\n");
 }
 
+namespace {
+
+/// What authors do to the helper files is no harm.
+void helper_holds(const fs::path& manifest, const std::string& error) {
+  Registry registry;
+  load_manifest(manifest, registry);
+  const std::string id = registry.list().front().id;
+  const auto fit = [&](const std::string& kind) {
+    const Fit found = registry.create(id, {{"kind", kind}})->fit(Hostile::corners(false));
+    UNSCOPED_INFO(kind << ": " << found.report.message);
+    return found;
+  };
+  is_polygon(fit("prints"));
+  const Fit more = fit("more");
+  is_polygon(more);
+  CHECK(more.report.iterations == 3);
+  CHECK(more.report.message == "fine");
+  CHECK(more.report.counters.at("steps") == 2);
+  CHECK(more.report.seconds < 10.0);
+  const Fit raised = fit("raises");
+  CHECK(raised.report.outcome == Outcome::failed);
+  CHECK_THAT(raised.report.message, ContainsSubstring(error));
+  const Fit refused = fit("refuses");
+  CHECK(refused.report.outcome == Outcome::unsupported_input);
+  CHECK_THAT(refused.report.message, ContainsSubstring("more than 3 points"));
+  for (const std::string kind : {"nan", "nothing"}) {
+    const Fit failed = fit(kind);
+    CHECK(failed.report.outcome == Outcome::failed);
+    CHECK_FALSE(failed.report.message.empty());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("The helper for Python lets authors print, raise and return nonsense") {
+  helper_holds(examples / "careless/careless.toml",
+               "ZeroDivisionError: integer division or modulo by zero (careless.py:");
+}
+
+TEST_CASE("The helper for MATLAB lets authors print, raise and return nonsense in Octave") {
+  if (!there_is_octave()) {
+    WARN("octave-cli is not installed: nothing is tested here");
+    return;
+  }
+  helper_holds(examples / "careless/careless_octave.toml", "(careless:8)");
+}
+
 // ---- answers that are none
 
 TEST_CASE("An answer that is no curve JSON is a failed fit") {
