@@ -87,7 +87,7 @@ class Reader {
     manifest.info.traits = traits(root);
     manifest.command = {texts(root, "command"), folder()};
     if (manifest.command.words.empty() || manifest.command.words.front().empty())
-      refuse(root["command"].node()->source(), "command: names no program; write [\"python3\", \"my_spline.py\"]");
+      refuse(root["command"].node()->source(), R"(command: names no program; write ["python3", "my_spline.py"])");
     manifest.info.plugin = file_.string();
     manifest.info.plugin_digest = digest(root, manifest.command);
     return manifest;
@@ -109,7 +109,7 @@ class Reader {
   }
 
   static std::string_view example(std::string_view key) {
-    if (key == "command") return "[\"python3\", \"my_spline.py\"]";
+    if (key == "command") return R"(["python3", "my_spline.py"])";
     if (key == "continuity") return "\"G1\"";
     if (key == "default") return "0.5 (a boolean, an integer, a real number or text)";
     return "\"...\"";
@@ -235,7 +235,7 @@ class Reader {
   [[nodiscard]] std::vector<std::string> choices(const toml::table& table) const {
     const toml::node& node = need(table, "choices");
     if (!node.is_array() || node.as_array()->empty())
-      refuse(node.source(), "choices: not a list of texts; write [\"chord\", \"centripetal\"]");
+      refuse(node.source(), R"(choices: not a list of texts; write ["chord", "centripetal"])");
     std::vector<std::string> words;
     for (const toml::node& item : *node.as_array()) words.push_back(word(item, "choices"));
     return words;
