@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "schemes/api/registry.hpp"
+#include "schemes/plugin/plugins.hpp"
 
 namespace kappabench {
 
@@ -14,6 +15,7 @@ namespace kappabench {
 struct ListArguments {
   std::string what;  ///< schemes | datasets | metrics | experiments
   bool json = false;
+  std::vector<PluginFailure> failed_plugins{};
 };
 int list(const Registry& registry, const ListArguments& arguments);
 
@@ -75,6 +77,13 @@ struct MergeArguments {
   std::filesystem::path results;
 };
 int merge_verb(const Registry& registry, const MergeArguments& arguments);
+
+struct NewSchemeArguments {
+  std::string name;
+  std::filesystem::path folder;
+  std::string kind = "in-tree";  ///< in-tree | plugin | python | matlab
+};
+int new_scheme(const Registry& registry, const NewSchemeArguments& arguments);
 
 struct DiffArguments {
   std::filesystem::path before, after;
