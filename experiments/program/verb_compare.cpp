@@ -1,17 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "experiments/across/compare.hpp"
 #include "experiments/program/draw_report.hpp"
 #include "experiments/program/errors.hpp"
+#include "experiments/program/format_comparison.hpp"
+#include "experiments/program/open_curves.hpp"
 #include "experiments/program/run_with_bar.hpp"
 #include "experiments/program/scratch_folder.hpp"
 #include "experiments/program/verbs.hpp"
-#include "reports/tables.hpp"
 
 namespace kappabench {
 
@@ -33,50 +30,26 @@ std::vector<std::string> join_parameters(const std::vector<std::string>& items) 
   return schemes;
 }
 
-std::string table_json(const store::TableRecord& table) {
-  auto rows = nlohmann::ordered_json::array();
-  const auto length = [](const auto& cells) { return cells.size(); };
-  const std::size_t count = table.columns.empty() ? 0 : std::visit(length, table.columns.front().cells);
-  for (std::size_t i = 0; i < count; ++i) {
-    nlohmann::ordered_json row;
-    for (const store::TableColumn& column : table.columns)
-      std::visit([&](const auto& cells) { row[column.name] = cells[i]; }, column.cells);
-    rows.push_back(std::move(row));
+/// The schemes asked for, all of them if none, and curves that were made elsewhere, which the registry then knows.
+std::vector<std::string> with_curves(std::vector<std::string> schemes, const std::vector<std::string>& files,
+                                     Registry& registry) {
+  if (files.empty()) return schemes;
+  if (schemes.empty())
+    for (const SchemeInfo& info : registry.list()) schemes.push_back(info.id);
+  for (const auto& curves : open_curves(files, registry)) {
+    registry.add(curves->info(), [curves](const Parameters&) { return curves; });
+    schemes.push_back(curves->info().id);
   }
-  return rows.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-/// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.
-store::TableRecord narrow(store::TableRecord table) {
-  constexpr std::array<std::string_view, 11> headline{"dataset",
-                                                      "curve",
-                                                      "scheme",
-                                                      "outcome",
-                                                      "warnings",
-                                                      "iterations",
-                                                      "residual",
-                                                      "pinned",
-                                                      "parabola_energy_centred_scaled_mean",
-                                                      "curvature_extrema",
-                                                      "continuity_curvature_jump_all"};
-  std::erase_if(table.columns, [&](const store::TableColumn& column) {
-    return std::ranges::find(headline, column.name) == headline.end();
-  });
-  return table;
-}
-
-std::string formatted(const store::TableRecord& table, const std::string& format) {
-  if (format == "csv") return to_csv(table);
-  if (format == "json") return table_json(table);
-  return format == "latex" ? to_latex(table) : to_text(table);
+  return schemes;
 }
 
 }  // namespace
 
-int compare(const Registry& registry, const CompareArguments& arguments) {
+int compare(const Registry& known, const CompareArguments& arguments) {
+  Registry registry = known;
   Plan plan;
   plan.experiments.push_back({.id = "compare",
-                              .schemes = join_parameters(arguments.schemes),
+                              .schemes = with_curves(join_parameters(arguments.schemes), arguments.curves, registry),
                               .datasets = arguments.points,
                               .metrics = arguments.metrics});
   const bool keep = !arguments.output.empty();
@@ -86,9 +59,7 @@ int compare(const Registry& registry, const CompareArguments& arguments) {
   const RunSummary summary = run_with_bar(registry, plan, {.results = results, .processes = arguments.processes});
 
   const store::ExperimentRecord& experiment = summary.results.experiments.front();
-  const auto table = std::ranges::find(experiment.tables, compare_table_id, &store::TableRecord::id);
-  const bool page = arguments.format == "table" || arguments.format == "latex";
-  fmt::print("{}", formatted(page && arguments.metrics.empty() ? narrow(*table) : *table, arguments.format));
+  fmt::print("{}", formatted_comparison(experiment, arguments.format, !arguments.metrics.empty()));
   if (keep) draw_report(summary.results, arguments.output);
   return summary.lost == 0 ? success : ran_and_failed;
 }
