@@ -1,7 +1,10 @@
 #include "datasets/curves/given_curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "schemes/api/find_nodes.hpp"
@@ -50,6 +53,7 @@ std::vector<Vec2> points_of(const std::vector<Node>& nodes, const std::vector<Se
   return points;
 }
 
+/// Throws std::invalid_argument for nodes and joints that no curve can have.
 GivenCurve given(CurveRecord record) {
   GivenCurve curve;
   curve.own.closed = record.closed.value_or(ends_meet(record.segments));
@@ -59,6 +63,9 @@ GivenCurve given(CurveRecord record) {
     curve.own_nodes = vertices_of(record.segments, curve.own.closed);
     curve.own.points = points_of(curve.own_nodes, record.segments);
   }
+  const std::vector<Joint> joints = record.joints ? *record.joints : std::vector<Joint>{};
+  const std::vector<Node>& nodes = record.nodes ? *record.nodes : curve.own_nodes;
+  static_cast<void>(Curve(record.segments, joints, nodes, curve.own.closed));
   curve.record = std::move(record);
   return curve;
 }
@@ -135,8 +142,14 @@ SchemeInfo info_of(std::string id, const CurveFile& file) {
 }  // namespace
 
 GivenCurves::GivenCurves(std::string id, CurveFile file) : Scheme(info_of(std::move(id), file), Parameters({}, {})) {
-  for (CurveRecord& record : file.curves)
-    if (!record.segments.empty()) curves_.push_back(given(std::move(record)));
+  for (std::size_t i = 0; i < file.curves.size(); ++i) {
+    if (file.curves[i].segments.empty()) continue;
+    try {
+      curves_.push_back(given(std::move(file.curves[i])));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: curve {}: {}", file.file.string(), i, error.what()));
+    }
+  }
 }
 
 Fit GivenCurves::solve(const Input& input) const {

@@ -29,6 +29,7 @@ struct GivenCurve {
 /// Nothing is fitted: `refit` fails, and the time that `fit` took is nobody's.
 class GivenCurves final : public Scheme {
  public:
+  /// Throws std::invalid_argument, one line, for nodes, marks and joints that no curve can have.
   GivenCurves(std::string id, CurveFile file);
 
   /// Those that have segments.

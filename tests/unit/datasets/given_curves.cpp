@@ -143,6 +143,9 @@ TEST_CASE("given curves: what a file holds is told by its start, and its digest 
   CHECK(read(one).digest == read(one).digest);
   CHECK(read(one).digest != read(other).digest);
   CHECK(GivenCurves("f", read(one)).info().plugin_digest == read(one).digest);
+  CHECK_THROWS_WITH(given(R"({"segments":[{"type":"polynomial","control_points":[[0,0],[1,0]]}],)"
+                          R"("nodes":[{"point":0,"segment":0,"t":0.5,"marks":["two words"]}]})"),
+                    ContainsSubstring("mine.svg: curve 0: "));
   // A file of a fit that failed has no curve.
   const GivenCurves none("f", read("{\"outcome\":\"failed\",\"segments\":[]}"));
   CHECK(none.curves().empty());
