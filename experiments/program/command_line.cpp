@@ -39,6 +39,7 @@ struct CommandLine {
   FitArguments fit_arguments{};
   HermiteArguments hermite_arguments{};
   CompareArguments compare_arguments{};
+  MeasureArguments measure_arguments{};
   CheckArguments check_arguments{};
   RunArguments run_arguments{};
   ReproduceArguments reproduce_arguments{};
@@ -57,6 +58,7 @@ struct CommandLine {
     add_fit(registry);
     add_hermite(registry);
     add_compare(registry);
+    add_measure(registry);
     add_check(registry);
     add_run(registry);
     add_reproduce(registry);
@@ -128,12 +130,36 @@ struct CommandLine {
         ->allow_extra_args(false);
     verb->add_option("--metrics", compare_arguments.metrics, "metric ids (default: those of 'compare')")
         ->delimiter(',');
+    verb->add_option("--curves", compare_arguments.curves, "files of curves made elsewhere: SVG, curve JSON")
+        ->delimiter(',');
     verb->add_option("--format", compare_arguments.format, "table|csv|json|latex")
         ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
     verb->add_option("--against", compare_arguments.against,
                      "RESULTS.h5: its schemes on the same points stand beside, and are not computed again");
     verb->add_option("-o,--output", compare_arguments.output, "folder for results, figures and index.html");
     verb->callback([&] { status = compare(registry, compare_arguments); });
+  }
+
+  void add_measure(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("measure", "Measure curves that were made elsewhere");
+    verb->add_option("CURVE", measure_arguments.curves, "files: SVG, curve JSON, or - for standard input")->required();
+    verb->add_option("--points", measure_arguments.points, "drawings to judge them against (default: their own points)")
+        ->delimiter(',');
+    verb->add_option("--metrics", measure_arguments.metrics, "metric ids (default: all that do not fit)")
+        ->delimiter(',');
+    verb->add_option("--format", measure_arguments.format, "table|csv|json|latex")
+        ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
+    verb->add_option("-o,--output", measure_arguments.output, "folder for results, figures and index.html");
+    verb->footer(
+        "Of SVG every path, line, polyline, polygon, rect, circle and ellipse is read, where its transforms put it, "
+        "in\n"
+        "units of the viewBox with y upwards. A curve's own points are the nodes that curve JSON names, else its\n"
+        "vertices. A curve that misses the points is not_converged; the residual is its largest distance from a point\n"
+        "over the mean chord.\n"
+        "Examples:\n"
+        "  kappabench measure drawing.svg\n"
+        "  kappabench measure mine.svg theirs.json --points bird -o page");
+    verb->callback([&] { status = measure(registry, measure_arguments); });
   }
 
   void add_check(const Registry& registry) {

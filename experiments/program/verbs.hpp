@@ -40,12 +40,22 @@ struct CompareArguments {
   std::vector<std::string> points;
   std::vector<std::string> schemes{};
   std::vector<std::string> metrics{};
-  std::string format = "table";     ///< table | csv | json | latex
-  std::filesystem::path output{};   ///< a folder for the report; empty: only the table
-  std::filesystem::path against{};  ///< a results file whose schemes stand beside; empty: none
+  std::vector<std::string> curves{};  ///< files of curves that were made elsewhere
+  std::string format = "table";       ///< table | csv | json | latex
+  std::filesystem::path output{};     ///< a folder for the report; empty: only the table
+  std::filesystem::path against{};    ///< a results file whose schemes stand beside; empty: none
   int processes = 1;
 };
 int compare(const Registry& registry, const CompareArguments& arguments);
+
+struct MeasureArguments {
+  std::vector<std::string> curves;    ///< files
+  std::vector<std::string> points{};  ///< drawings; empty: the curves' own points
+  std::vector<std::string> metrics{};
+  std::string format = "table";    ///< table | csv | json | latex
+  std::filesystem::path output{};  ///< a folder for the report; empty: only the table
+};
+int measure(const Registry& registry, const MeasureArguments& arguments);
 
 struct CheckArguments {
   std::string scheme{};  ///< ID[:key=value,...]; empty with `all`
