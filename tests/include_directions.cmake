@@ -9,7 +9,7 @@ file(GLOB paper_folders LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/experimen
 set(allowed_schemes/numerics "")
 set(allowed_schemes/curve schemes/numerics)
 set(allowed_schemes/segments schemes/numerics schemes/curve)
-set(allowed_schemes/api schemes/curve schemes/segments)
+set(allowed_schemes/api schemes/numerics schemes/curve schemes/segments)
 set(allowed_schemes/plugin schemes/curve schemes/api)
 foreach(folder ${scheme_folders})
   set(allowed_${folder} schemes/numerics schemes/curve schemes/segments schemes/api)

@@ -14,13 +14,6 @@ namespace {
 
 constexpr int samples_per_segment = 33;
 
-std::string json(const Scheme& scheme, const std::vector<Fit>& fits) {
-  std::vector<std::string> objects;
-  for (const Fit& fit : fits) objects.push_back(curve_json(scheme, fit));
-  if (objects.size() == 1) return objects.front() + "\n";
-  return fmt::format("[{}]\n", fmt::join(objects, ",\n"));
-}
-
 std::string csv(const std::vector<Fit>& fits) {
   std::string text = "curve,segment,t,x,y,s,kappa\n";
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -123,7 +116,7 @@ std::string svg(const std::vector<Fit>& fits) {
 }  // namespace
 
 std::string format_fits(std::string_view format, const Scheme& scheme, const std::vector<Fit>& fits) {
-  if (format == "json") return json(scheme, fits);
+  if (format == "json") return curves_json(scheme, fits);
   if (format == "csv") return csv(fits);
   if (format == "svg") return svg(fits);
   if (format == "xy") return xy(fits);

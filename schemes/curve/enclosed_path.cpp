@@ -121,8 +121,10 @@ EnclosedPath path_of(const ReparametrizedForm& form, const Vec2& origin) {
   };
 }
 
+EnclosedPath path_of(const RationalForm&, const Vec2&) { return {}; }
 EnclosedPath path_of(const TrigonometricForm&, const Vec2&) { return {}; }
 EnclosedPath path_of(const IntrinsicForm&, const Vec2&) { return {}; }
+EnclosedPath path_of(const SampledForm&, const Vec2&) { return {}; }
 EnclosedPath path_of(const OpaqueForm&, const Vec2&) { return {}; }
 
 }  // namespace

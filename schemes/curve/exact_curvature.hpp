@@ -20,13 +20,14 @@ struct SignChanges {
 
 /// Extrema of the signed curvature inside the segment: sign changes of d kappa / dt.
 ///
-/// Exact for polynomial and trigonometric segments (a polynomial of degree 4k - 7, k the degree, or 14 in the
-/// half-angle tangent, isolated in double precision with rounding bounds and, where that is undecided, in integers),
-/// for curvature as a B-spline (the exact polynomial of every knot span), for clothoids, which have none, for
-/// elliptical arcs (closed form), and for reparametrisations of these. Enclosed for blends of polynomials, circles,
+/// Exact for polynomial, rational and trigonometric segments (a polynomial of degree 4k - 7, or 9k - 12, k the degree,
+/// or 14 in the half-angle tangent, isolated in double precision with rounding bounds and, where that is undecided, in
+/// integers), for curvature as a B-spline (the exact polynomial of every knot span), for clothoids, which have none,
+/// for elliptical arcs (closed form), and for reparametrisations of these. Enclosed for blends of polynomials, circles,
 /// elliptical arcs and their reparametrisations, by interval arithmetic; where that proves nothing, and for opaque
-/// segments, sampled at 257 parameters. A cusp (a zero of c') shows as an extremum, too: the sign of d kappa / dt
-/// changes there. Never throws; a segment with numbers that are not finite has none.
+/// and sampled segments, sampled at 257 parameters, or at the samples if they are more. A cusp (a zero of c') shows as
+/// an extremum, too: the sign of d kappa / dt changes there. Never throws; a segment with numbers that are not finite
+/// has none.
 [[nodiscard]] SignChanges curvature_extrema(const Segment& segment);
 
 /// Sign changes of the curvature inside the segment, by the same means. At a cusp of a cubic there is none.

@@ -19,6 +19,13 @@ struct PolynomialForm {
   std::vector<Vec2> control_points;
 };
 
+/// Bernstein control points, degree + 1 of them, degree 1 to 5, and as many positive weights:
+/// sum w_i B_i(t) p_i / sum w_i B_i(t).
+struct RationalForm {
+  std::vector<Vec2> control_points;
+  std::vector<double> weights;
+};
+
 /// Five control points for the quadratic trigonometric basis {u^2, 2uv, 4uw, 2vw, w^2},
 /// u = 1 - sin(pi t / 2), v = sin + cos - 1, w = 1 - cos (Miura 2022, Eqs. (14) to (17)).
 struct TrigonometricForm {
@@ -66,10 +73,17 @@ struct ReparametrizedForm {
   double start_speed;
 };
 
+/// Positions and their first two derivatives by t at ascending parameters from 0 to 1; between two of them the quintic
+/// that agrees with both. What is measured on it is sampled: the curve that the samples came from is not known.
+struct SampledForm {
+  std::vector<double> t;
+  std::vector<Vec2> position, first, second;
+};
+
 /// A segment that can only be evaluated: its metrics are sampled.
 struct OpaqueForm {};
 
-using ExactForm = std::variant<PolynomialForm, TrigonometricForm, ClothoidForm, IntrinsicForm, BlendForm,
-                               EllipticArcForm, ReparametrizedForm, OpaqueForm>;
+using ExactForm = std::variant<PolynomialForm, RationalForm, TrigonometricForm, ClothoidForm, IntrinsicForm, BlendForm,
+                               EllipticArcForm, ReparametrizedForm, SampledForm, OpaqueForm>;
 
 }  // namespace kappabench

@@ -6,8 +6,8 @@
 
 namespace kappabench {
 
-/// The tangent of a polynomial or trigonometric segment up to a positive factor, as a pair of forms of degree m:
-/// c'(t) is a positive constant times (x, y) / omega^e with a positive form omega. Then
+/// The tangent of a polynomial, rational or trigonometric segment up to a positive factor, as a pair of forms of degree
+/// m: c'(t) is a positive constant times (x, y) / omega^e with a positive form omega. Then
 ///   kappa = constant * N * omega^e / D^(3/2),  N = x_s y_t - x_t y_s,  D = x^2 + y^2,
 /// with numerator and denominator of one degree. Of such a quotient f / g^(3/2) the derivative is a positive multiple
 /// of f_t g_s - f_s g_t (Euler's identity for homogeneous functions), which gives `slope` the least possible degree.
@@ -52,6 +52,29 @@ template <class Number>
     return form;
   };
   return {differences(px), differences(py), {Number(1), Number(1)}, degree + 1};
+}
+
+/// Bézier control points with weights: c = P / omega with the forms P and omega of degree n of the weighted points and
+/// of the weights, and by Euler's identity c'(t) = (P_t omega_s - P_s omega_t) / (n omega^2).
+template <class Number>
+[[nodiscard]] HodographForms<Number> rational_hodograph(std::span<const Number> px, std::span<const Number> py,
+                                                        std::span<const Number> weights) {
+  const int degree = static_cast<int>(px.size()) - 1;
+  const auto form_of = [&](auto value) {
+    BinaryForm<Number> form;
+    int binomial = 1;
+    for (int i = 0; i <= degree; ++i) {
+      form.push_back(value(static_cast<std::size_t>(i)) * Number(binomial));
+      binomial = binomial * (degree - i) / (i + 1);
+    }
+    return form;
+  };
+  const BinaryForm<Number> omega = form_of([&](std::size_t i) { return weights[i]; });
+  const auto tangent = [&](std::span<const Number> p) {
+    const BinaryForm<Number> weighted = form_of([&](std::size_t i) { return weights[i] * (p[i] - p[0]); });
+    return difference(product(partial_t(weighted), partial_s(omega)), product(partial_s(weighted), partial_t(omega)));
+  };
+  return {tangent(px), tangent(py), omega, 2};
 }
 
 /// The quadratic trigonometric basis (Miura 2022, Eq. (17)). With x = tan(pi t / 4) as parameter it is a rational

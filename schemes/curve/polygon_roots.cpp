@@ -19,46 +19,74 @@ constexpr double noise_in_bounds = 4.0;
 constexpr double surely_fast = 1e-12;
 
 template <class Number>
-HodographForms<Number> hodograph(const ControlPolygon& polygon, std::span<const Number> x, std::span<const Number> y) {
+struct Coordinates {
+  std::vector<Number> x, y, weights;
+};
+
+template <class Number>
+HodographForms<Number> hodograph(const ControlPolygon& polygon, const Coordinates<Number>& of) {
+  const std::span<const Number> x(of.x), y(of.y), weights(of.weights);
+  if (!weights.empty()) return rational_hodograph(x, y, weights);
   return polygon.trigonometric ? trigonometric_hodograph(x, y) : polynomial_hodograph(x, y);
 }
 
+int exponent_of(double largest) { return largest > 0.0 && std::isfinite(largest) ? std::ilogb(largest) : 0; }
+
 /// `coordinate_error` in half units of the last place: 0 takes the control points as exact.
 HodographForms<Bounded> bounded_hodograph(const ControlPolygon& polygon, double coordinate_error = 0.0) {
-  std::vector<Bounded> x;
-  std::vector<Bounded> y;
   // A power of two as the unit keeps products of many coordinates away from overflow, and is exact.
   double size = 0.0;
   for (const Vec2& p : polygon.points) size = std::max(size, (p - polygon.points.front()).cwiseAbs().maxCoeff());
-  const int unit = size > 0.0 && std::isfinite(size) ? std::ilogb(size) : 0;
+  const auto bounded = [coordinate_error](double value, int unit) {
+    const double scaled = std::ldexp(value, -unit);
+    return Bounded(scaled, coordinate_error * 0x1p-53 * std::abs(scaled));
+  };
+  Coordinates<Bounded> of;
   for (const Vec2& p : polygon.points) {
-    const Vec2 q{std::ldexp(p.x(), -unit), std::ldexp(p.y(), -unit)};
-    x.emplace_back(q.x(), coordinate_error * 0x1p-53 * std::abs(q.x()));
-    y.emplace_back(q.y(), coordinate_error * 0x1p-53 * std::abs(q.y()));
+    of.x.push_back(bounded(p.x(), exponent_of(size)));
+    of.y.push_back(bounded(p.y(), exponent_of(size)));
   }
-  return hodograph<Bounded>(polygon, x, y);
+  for (const double weight : polygon.weights)
+    of.weights.push_back(bounded(weight, exponent_of(std::ranges::max(polygon.weights))));
+  return hodograph(polygon, of);
 }
 
-/// The coordinates as integers, in units of the least power of two that all of them need.
-HodographForms<Integer> integer_hodograph(const ControlPolygon& polygon) {
+/// In units of the least power of two that all of `values` need; any unit will do, so that x and y have one together.
+std::vector<Integer> as_integers(std::span<const double> values) {
   int least = 2000;
-  for (const Vec2& p : polygon.points) {
-    for (const double c : {p.x(), p.y()}) {
-      if (c != 0.0) least = std::min(least, std::ilogb(c) - 52);
-    }
+  for (const double c : values)
+    if (c != 0.0) least = std::min(least, std::ilogb(c) - 52);
+  std::vector<Integer> integers;
+  integers.reserve(values.size());
+  for (const double c : values) {
+    const int exponent = c == 0.0 ? least : std::ilogb(c) - 52;
+    integers.push_back(Integer(static_cast<long long>(std::ldexp(c, -exponent)))
+                       << static_cast<unsigned>(exponent - least));
   }
-  const auto integer = [least](double c) {
-    if (c == 0.0) return Integer(0);
-    const int exponent = std::ilogb(c) - 52;
-    return Integer(static_cast<long long>(std::ldexp(c, -exponent))) << static_cast<unsigned>(exponent - least);
-  };
-  std::vector<Integer> x;
-  std::vector<Integer> y;
-  for (const Vec2& p : polygon.points) {
-    x.push_back(integer(p.x()));
-    y.push_back(integer(p.y()));
+  return integers;
+}
+
+HodographForms<Integer> integer_hodograph(const ControlPolygon& polygon) {
+  std::vector<double> both;
+  for (const Vec2& p : polygon.points) both.insert(both.end(), {p.x(), p.y()});
+  const std::vector<Integer> integers = as_integers(both);
+  Coordinates<Integer> of;
+  for (std::size_t i = 0; i < integers.size(); i += 2) {
+    of.x.push_back(integers[i]);
+    of.y.push_back(integers[i + 1]);
   }
-  return hodograph<Integer>(polygon, x, y);
+  of.weights = as_integers(polygon.weights);
+  return hodograph(polygon, of);
+}
+
+/// d/dt of |c'|^2 up to a positive factor, c' being (x, y) / omega^e but for a factor: for rational segments e = 2, and
+/// (D / omega^4)' = (D' omega - 4 D omega') / omega^5. The positive omega of the others hides no rest.
+template <class Number>
+BinaryForm<Number> slowing(const HodographForms<Number>& forms, bool rational) {
+  const auto slope = [](const BinaryForm<Number>& form) { return difference(partial_t(form), partial_s(form)); };
+  const BinaryForm<Number> d = forms.speed_squared();
+  if (!rational) return slope(d);
+  return difference(product(slope(d), forms.omega), scaled(product(d, slope(forms.omega)), 4));
 }
 
 /// From x = tan(pi t / 4) to t, widened by the rounding of the conversion.
@@ -91,7 +119,8 @@ SignChanges sign_changes(const ControlPolygon& polygon, const Pick& pick) {
 }  // namespace
 
 bool ControlPolygon::finite() const {
-  return std::all_of(points.begin(), points.end(), [](const Vec2& p) { return p.allFinite(); });
+  return std::ranges::all_of(points, [](const Vec2& p) { return p.allFinite(); }) &&
+         std::ranges::all_of(weights, [](double w) { return w > 0.0 && std::isfinite(w); });
 }
 
 std::optional<ControlPolygon> control_polygon(const ExactForm& form) {
@@ -99,6 +128,8 @@ std::optional<ControlPolygon> control_polygon(const ExactForm& form) {
   if (const auto* trigonometric = std::get_if<TrigonometricForm>(&form)) {
     return ControlPolygon{{trigonometric->control_points.begin(), trigonometric->control_points.end()}, true};
   }
+  if (const auto* rational = std::get_if<RationalForm>(&form))
+    return ControlPolygon{rational->control_points, false, rational->weights};
   return std::nullopt;
 }
 
@@ -108,17 +139,16 @@ SignChanges polygon_sign_changes(const ControlPolygon& polygon, bool of_slope) {
 }
 
 std::vector<RootBracket> polygon_slow_places(const ControlPolygon& polygon) {
+  const bool rational = !polygon.weights.empty();
   const BinaryForm<Bounded> squared = bounded_hodograph(polygon).speed_squared();
   double largest = 0.0;
   for (const Bounded& c : squared) largest = std::max(largest, std::abs(c.value));
-  const bool never_slow = std::all_of(squared.begin(), squared.end(),
-                                      [&](const Bounded& c) { return c.value - c.error > surely_fast * largest; });
+  // The fourth power of omega divides |c'|^2.
+  double limit = surely_fast * largest;
+  if (rational) limit *= std::pow(std::ranges::max(polygon.weights) / std::ranges::min(polygon.weights), 4);
+  const bool never_slow = std::ranges::all_of(squared, [limit](const Bounded& c) { return c.value - c.error > limit; });
   if (never_slow || squared.size() < 2) return {};
-  const auto slowing = [](const auto& forms) {
-    const auto d = forms.speed_squared();
-    return difference(partial_t(d), partial_s(d));
-  };
-  return sign_changes(polygon, slowing).at;
+  return sign_changes(polygon, [rational](const auto& forms) { return slowing(forms, rational); }).at;
 }
 
 }  // namespace kappabench

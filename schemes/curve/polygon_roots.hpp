@@ -6,10 +6,11 @@
 
 namespace kappabench {
 
-/// Polynomial and trigonometric segments: both are planar control polygons.
+/// Polynomial, rational and trigonometric segments: all are planar control polygons.
 struct ControlPolygon {
   std::vector<Vec2> points;
   bool trigonometric = false;
+  std::vector<double> weights{};  ///< of a rational segment, positive; else none
 
   [[nodiscard]] bool finite() const;
 };

@@ -1,14 +1,29 @@
 #include "schemes/curve/sampled_curvature.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 namespace kappabench {
 namespace {
 
-constexpr double step = 1.0 / 256.0;
+constexpr std::size_t fewest_steps = 256;
+
+/// Equal steps; on a sampled segment as many of them between any two samples.
+std::vector<double> parameters_of(const Segment& segment) {
+  const ExactForm form = segment.exact();
+  const auto* sampled = std::get_if<SampledForm>(&form);
+  const std::vector<double> ends = sampled == nullptr ? std::vector<double>{0.0, 1.0} : sampled->t;
+  const std::size_t spans = ends.size() - 1, steps = (fewest_steps + spans - 1) / spans;
+  std::vector<double> t;
+  t.reserve(spans * steps + 1);
+  for (std::size_t i = 0; i < spans; ++i)
+    for (std::size_t j = 0; j < steps; ++j)
+      t.push_back(ends[i] + (ends[i + 1] - ends[i]) * static_cast<double>(j) / static_cast<double>(steps));
+  t.push_back(1.0);
+  return t;
+}
 
 double mean_speed(std::span<const Jet> jets) {
   double sum = 0.0;
@@ -16,10 +31,8 @@ double mean_speed(std::span<const Jet> jets) {
   return sum / static_cast<double>(jets.size());
 }
 
-std::array<Jet, 257> sample(const Segment& segment, int order) {
-  std::array<double, 257> t{};
-  for (std::size_t i = 0; i < t.size(); ++i) t[i] = static_cast<double>(i) * step;
-  std::array<Jet, 257> jets;
+std::vector<Jet> sample(const Segment& segment, std::span<const double> t, int order) {
+  std::vector<Jet> jets(t.size());
   segment.jets(t, order, jets);
   return jets;
 }
@@ -33,7 +46,8 @@ double sampled_value(const Jet& jet, bool of_slope) {
 
 SignChanges sampled_sign_changes(const Segment& segment, bool of_slope) {
   const int order = of_slope ? 3 : 2;
-  const std::array<Jet, 257> jets = sample(segment, order);
+  const std::vector<double> parameters = parameters_of(segment);
+  const std::vector<Jet> jets = sample(segment, parameters, order);
   const double length = mean_speed(jets);
   SignChanges result{{}, Certification::sampled, true};
   if (!(length > 0.0) || !std::isfinite(length)) return result;
@@ -49,7 +63,7 @@ SignChanges sampled_sign_changes(const Segment& segment, bool of_slope) {
     const double value = sampled_value(jets[i], of_slope);
     if (!(std::abs(value) > noise)) continue;
     const int sign = value > 0.0 ? 1 : -1;
-    const double t = static_cast<double>(i) * step;
+    const double t = parameters[i];
     if (sign_before != 0 && sign != sign_before) {
       RootBracket bracket{t_before, t};
       while (bracket.hi - bracket.lo > 1e-15) {
@@ -68,13 +82,14 @@ SignChanges sampled_sign_changes(const Segment& segment, bool of_slope) {
 }
 
 std::vector<double> sampled_slow_places(const Segment& segment) {
-  const std::array<Jet, 257> jets = sample(segment, 2);
+  const std::vector<double> parameters = parameters_of(segment);
+  const std::vector<Jet> jets = sample(segment, parameters, 2);
   const auto slowing = [&](const Jet& jet) { return jet.d[1].dot(jet.d[2]) < 0.0; };
   std::vector<double> found;
   for (std::size_t i = 0; i + 1 < jets.size(); ++i) {
     if (!slowing(jets[i]) || slowing(jets[i + 1])) continue;
-    double lo = static_cast<double>(i) * step;
-    double hi = lo + step;
+    double lo = parameters[i];
+    double hi = parameters[i + 1];
     while (hi - lo > 1e-15) {
       const double mid = 0.5 * (lo + hi);
       if (mid <= lo || mid >= hi) break;
@@ -86,6 +101,6 @@ std::vector<double> sampled_slow_places(const Segment& segment) {
   return found;
 }
 
-double mean_speed(const Segment& segment) { return mean_speed(sample(segment, 1)); }
+double mean_speed(const Segment& segment) { return mean_speed(sample(segment, parameters_of(segment), 1)); }
 
 }  // namespace kappabench

@@ -34,8 +34,8 @@ class Segment {
   /// this segment: its exact form is lost.
   [[nodiscard]] virtual SegmentPtr placed(const Placement&) const { return nullptr; }
 
-  /// Control points of a Bézier segment (polynomial, or rational with positive weights), else none: c(t) lies in their
-  /// hull and c'(t) in the cone of their differences.
+  /// Control points of a polynomial Bézier segment, else none: c(t) lies in their hull and c'(t) in that of their
+  /// differences times the degree.
   [[nodiscard]] virtual std::span<const Vec2> bezier_points() const { return {}; }
 
  protected:
