@@ -2,6 +2,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "experiments/python/binding/bind.hpp"
 #include "experiments/python/binding/evaluate.hpp"
 #include "experiments/python/binding/fitted.hpp"
+#include "experiments/python/binding/given.hpp"
 #include "experiments/run/cell.hpp"
 #include "metrics/arc_map.hpp"
 
@@ -130,6 +133,7 @@ void bind_curve(py::module_& module) {
       .def("curvature", &curvature_at, py::arg("t"), py::arg("nu"))
       .def("text", &text_of, py::arg("format"), py::call_guard<py::gil_scoped_release>());
   module.def("fit", &fit, py::arg("scheme"), py::arg("input"), py::call_guard<py::gil_scoped_release>());
+  module.def("given_curves", &given_curves, py::arg("json"), py::arg("source"), py::arg("registry"), py::arg("points"));
 }
 
 }  // namespace kappabench::python

@@ -9,6 +9,7 @@
 #include "experiments/python/binding/bind.hpp"
 #include "experiments/python/binding/compare.hpp"
 #include "experiments/python/binding/fitted.hpp"
+#include "experiments/python/binding/given.hpp"
 #include "experiments/python/binding/tables.hpp"
 #include "metrics/metric.hpp"
 
@@ -31,10 +32,14 @@ std::vector<const Metric*> metrics_of(const std::vector<std::string>& ids) {
 /// Column, value, unit, method.
 py::list measure(const Fitted& fitted, const std::vector<std::string>& ids) {
   static_cast<void>(curve_in(fitted));
+  const std::vector<const Metric*> metrics = metrics_of(ids);
+  for (const Metric* metric : metrics)
+    if (metric->refits && is_given(*fitted.scheme))
+      throw std::invalid_argument(metric->id + ": this metric fits again, and a curve that was read cannot be");
   std::vector<Measurement> all;
   {
     const py::gil_scoped_release others_may_run;
-    for (const Metric* metric : metrics_of(ids))
+    for (const Metric* metric : metrics)
       for (Measurement& number : metric->measure(*fitted.scheme, fitted.fit)) all.push_back(std::move(number));
   }
   py::list list;

@@ -14,6 +14,7 @@ raises nothing: its `report` says so.
 from ._curve import Curve, Joint, Node
 from ._catalogue import datasets, load_plugin, metrics, schemes
 from ._fit import fit
+from ._json import curves_from_json
 from ._measure import Measurement, compare, measure
 from ._plot import plot
 from ._points import Drawing, Points, read
@@ -31,6 +32,7 @@ __all__ = [
     "Results",
     "Table",
     "compare",
+    "curves_from_json",
     "datasets",
     "fit",
     "load_plugin",

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from typing import Union
 
 from . import _core
+from ._curve import Curve
+from ._json import curves_from_json
 from ._tables import Table
 
 
@@ -28,9 +30,12 @@ class Experiment:
         """One row a verdict: paper, claim, verdict, ours, evidence, method, kind, sample, interval, rule."""
         return Table(*self._results.claims(self.id))
 
-    def curve_json(self, cell: int, curve: int = 0) -> str:
-        """The JSON of a curve of a cell, both by their places from 0; empty for a fit without a curve."""
-        return self._results.curve_json(self.id, cell, curve)
+    def curve(self, cell: int, curve: int = 0) -> Curve:
+        """A curve of a cell, both by their places from 0. ValueError for a fit without a curve."""
+        text = self._results.curve_json(self.id, cell, curve)
+        if not text:
+            raise ValueError(f"cell {cell}: no curve {curve}; {self.cells['outcome'][cell]}")
+        return curves_from_json(text)[0]
 
     def __repr__(self) -> str:
         return f"<kappabench.Experiment {self.id}: {self.title}, {self.cells.rows} cells>"
