@@ -23,8 +23,8 @@ def same(cells, words):
 
 
 def test_compare_is_the_programs_table(program, tmp_path):
-    schemes = ["kappa", "ekappa:a=0.9", "fpc", "hobby", "kappa:iteration=published;max_iterations=1"]
-    table = kb.compare(["toy", "bird"], [name.replace(";", ",") for name in schemes])
+    schemes = ["kappa", "ekappa:a=0.9", "fpc", "hobby", "kappa:iteration=published,max_iterations=1"]
+    table = kb.compare(["toy", "bird"], schemes)
     words = columns_of(program("compare", "toy", "bird", "--schemes", ",".join(schemes), "--format", "csv"))
     assert list(table) == list(words)
     assert table.rows == len(words["scheme"]) == 25

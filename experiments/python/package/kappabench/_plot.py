@@ -180,18 +180,14 @@ def _draw_combs(
         tips = _tips(seen.position, seen.normal, seen.curvature, limit, scale)
         ax.plot(*tips.T, color=colour, lw=0.8, alpha=0.7)
         count = int(np.clip(curve.length / (_between_teeth * size), 16, 4000)) if np.isfinite(curve.length) else 16
-        t = np.unique(np.concatenate([curve.at_length(np.linspace(0.0, curve.length, count)), _peaks(curve, seen, size)]))
+        evenly = curve.at_length(np.linspace(0.0, curve.length, count))
+        t = np.unique(np.concatenate([evenly, [node.t for node in curve.nodes]]))  # peaks are often at nodes
         feet, tangent = curve(t), curve.tangent(t)
         normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=-1)
         ends = _tips(feet, normal, curve.curvature(t), limit, scale)
         teeth = np.stack([feet, ends], axis=1)
         fine = np.isfinite(teeth).all(axis=(1, 2))
         ax.add_collection(LineCollection(list(teeth[fine]), colors=colour, linewidths=0.5, alpha=0.45))
-
-
-def _peaks(curve: Curve, seen: _Samples, size: float) -> NDArray[np.float64]:
-    """Parameters at which teeth would be too far from each other at their tips, as over a peak of curvature: the nodes."""
-    return np.array([node.t for node in curve.nodes])
 
 
 def _tips(

@@ -88,8 +88,7 @@ def _words(given: Union[str, Sequence[str], None]) -> list[str]:
 def _drawings(points: Union[PointsLike, Sequence[PointsLike]]) -> list[_core.Drawing]:
     if not _is_many(points):
         return [_drawing(points, "points")]
-    drawings = [_drawing(one, f"points {i}") for i, one in enumerate(points)]
-    return drawings
+    return [_drawing(one, f"points {i}") for i, one in enumerate(points)]
 
 
 def _is_many(points: Union[PointsLike, Sequence[PointsLike]]) -> bool:
