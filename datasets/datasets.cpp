@@ -4,18 +4,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "datasets/analytic.hpp"
+#include "datasets/csv_dialect.hpp"
 #include "datasets/glyph.hpp"
 #include "datasets/random_points.hpp"
 #include "datasets/readers.hpp"
 #include "datasets/text.hpp"
+#include "schemes/api/known_words.hpp"
 
 namespace kappabench {
 
@@ -26,12 +28,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// ".csv", also of a file "POINTS.CSV".
+std::string ending_of(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return ending;
+}
+
 /// The files of a folder with one of the endings, sorted by name.
 std::vector<fs::path> files_in(const fs::path& folder, std::span<const std::string_view> endings) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
-    const bool known = std::ranges::find(endings, at->path().extension().string()) != endings.end();
+    const bool known = std::ranges::find(endings, ending_of(at->path())) != endings.end();
     std::error_code ignored;
     if (known && !at->is_directory(ignored)) files.push_back(at->path());
   }
@@ -97,31 +107,11 @@ std::vector<Drawing> read_folder(const fs::path& folder) {
   return read_all(files);
 }
 
-/// Levenshtein's distance: how many characters to insert, erase or replace.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 [[noreturn]] void refuse_unknown(std::string_view name) {
-  std::string near;
-  for (const std::string& id : builtin_ids()) {
-    if (edit_distance(name, id) <= 2 || (name.size() >= 3 && id.find(name) != id.npos)) {
-      near += fmt::format("{}{}", near.empty() ? "did you mean " : " or ", id);
-    }
-  }
+  const std::vector<std::string> near = nearest_words(name, builtin_ids());
+  const std::string hint = near.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(near, " or "));
   refuse({in_quotes(name), 0}, "no built-in drawing, file or folder has this name",
-         fmt::format("{}{}`kappabench list datasets` shows the drawings", near, near.empty() ? "" : "? "));
+         hint + "`kappabench list datasets` shows the drawings");
 }
 
 }  // namespace
@@ -129,9 +119,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 Drawing read_drawing(const fs::path& file) {
   const std::string text = read_text(file);
   const std::string source = name_for_messages(file);
-  const std::string ending = file.extension().string();
+  const std::string ending = ending_of(file);
+  const bool csv = ending == ".csv" || (ending != ".pts" && ending != ".toml" && looks_like_csv(text));
   Drawing drawing = ending == ".pts"    ? parse_pts(text, source)
-                    : ending == ".csv"  ? parse_csv(text, source)
+                    : csv               ? parse_csv(text, source)
                     : ending == ".toml" ? parse_toml(text, source)
                                         : parse_plain(text, source);
   drawing.id = file == "-" ? "stdin" : file.stem().string();

@@ -12,7 +12,13 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
     # The list of names is a dependency too: a file that is gone must go from the program.
     list(JOIN ARGN "\n" names)
-    file(CONFIGURE OUTPUT ${output}.list CONTENT "${names}\n" @ONLY)
+    set(known "")
+    if(EXISTS ${output}.list)
+      file(READ ${output}.list known)
+    endif()
+    if(NOT known STREQUAL "${names}\n")  # file(CONFIGURE) would see to this, but a name may hold @...@
+      file(WRITE ${output}.list "${names}\n")
+    endif()
     add_custom_command(
       OUTPUT ${output}
       COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -DFUNCTION=${function} -DROOT=${PROJECT_SOURCE_DIR}

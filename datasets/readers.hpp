@@ -18,8 +18,11 @@ namespace kappabench {
 /// "x y"; then the number of open curves, laid out alike.
 [[nodiscard]] Drawing parse_pts(std::string_view text, std::string_view file);
 
-/// Comma-separated, two columns x, y without a header, or with a header of x, y and any of curve, closed and the keys
-/// of a point. A curve ends where the `curve` column changes. Leading `#` comments as in plain text.
+/// Columns as spreadsheets write them: separated by commas, semicolons or tabs (the first line tells; with the latter
+/// two a comma is a decimal point), in quotes where need be, with empty cells at the end or not. Two columns x, y
+/// without a header; or a header, in letters of any case, which may also be the comment before the first row: x, y and
+/// any of curve, closed and the keys of a point. Other columns are ignored. A curve ends where the `curve` column
+/// changes. Leading `#` comments as in plain text.
 [[nodiscard]] Drawing parse_csv(std::string_view text, std::string_view file);
 
 /// Metadata keys at the top and [[curve]] tables with `closed` and `points`, each [x, y] or {x = .., y = .., key = ..}.

@@ -13,6 +13,7 @@
 #include "metrics/parabola_energy.hpp"
 #include "metrics/statistics.hpp"
 #include "schemes/api/frame.hpp"
+#include "schemes/api/known_words.hpp"
 
 namespace kappabench {
 namespace {
@@ -84,12 +85,12 @@ std::span<const Metric> all_metrics() {
 }
 
 const Metric& find_metric(std::string_view id) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Metric& metric : all_metrics()) {
     if (metric.id == id) return metric;
-    known += known.empty() ? metric.id : ", " + metric.id;
+    known.push_back(metric.id);
   }
-  throw std::invalid_argument("unknown metric '" + std::string(id) + "': known are " + known);
+  throw std::invalid_argument("unknown metric '" + std::string(id) + "'; " + known_words(id, known));
 }
 
 }  // namespace kappabench

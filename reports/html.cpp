@@ -191,6 +191,15 @@ std::string totals(std::map<std::string, int> counts) {
                      apart > 0 ? fmt::format("; not counted: {} by construction", apart) : "");
 }
 
+/// What a reader must know before quoting a verdict.
+constexpr std::string_view limits =
+    "Limits of these verdicts: the statements are in our words, from the papers' texts as scanned, which misreads "
+    "symbols; "
+    "the papers print no coordinates, so that drawings are stand-ins of our own and agree in kind, not in digits; "
+    "where a "
+    "paper leaves a unit, a weight or a rule of stopping open, ours is one reading of it, named in the scheme's "
+    "README.";
+
 /// Every claim of a paper, also those that nothing here tested, so that none is left out of the count.
 std::string paper_section(const Results& results, const Paper& paper) {
   std::map<std::string, int> counts;
@@ -214,6 +223,7 @@ std::string paper_section(const Results& results, const Paper& paper) {
   std::string text =
       fmt::format("<h2 id=\"paper-{}\">Claims: {}</h2>\n<p class=\"soft\">{}</p>\n<p>{}.</p>\n", anchor(paper.id),
                   html_escaped(paper.title), html_escaped(paper.citation), html_escaped(totals(counts)));
+  text += fmt::format("<p class=\"soft\">{}</p>\n", limits);
   text += "<div class=\"scroll\"><table>\n" +
           row_of_heads({"verdict", "claim", "place", "printed", "ours", "by what rule", "experiment"}) + rows +
           "</table></div>\n";

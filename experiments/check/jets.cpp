@@ -23,6 +23,9 @@ struct Kind {
   std::string operator()(const PolynomialForm& form) const {
     return fmt::format("polynomial of degree {}", form.control_points.size() - 1);
   }
+  std::string operator()(const RationalForm& form) const {
+    return fmt::format("rational of degree {}", form.control_points.size() - 1);
+  }
   std::string operator()(const TrigonometricForm&) const { return "trigonometric"; }
   std::string operator()(const ClothoidForm&) const { return "clothoid"; }
   std::string operator()(const IntrinsicForm&) const { return "intrinsic"; }
@@ -33,6 +36,7 @@ struct Kind {
   std::string operator()(const ReparametrizedForm& form) const {
     return fmt::format("reparametrized {}", of(*form.of));
   }
+  std::string operator()(const SampledForm&) const { return "sampled"; }
   std::string operator()(const OpaqueForm&) const { return "opaque"; }
 
   static std::string of(const Segment& segment) { return std::visit(Kind{}, segment.exact()); }
@@ -51,6 +55,7 @@ std::vector<double> breaks(const Segment& segment) {
   const ExactForm exact = segment.exact();
   if (const auto* form = std::get_if<IntrinsicForm>(&exact))
     result.insert(result.end(), form->knots.begin(), form->knots.end());
+  if (const auto* form = std::get_if<SampledForm>(&exact)) result.insert(result.end(), form->t.begin(), form->t.end());
   return result;
 }
 

@@ -12,6 +12,8 @@
 #include "experiments/program/errors.hpp"
 #include "experiments/program/verbs.hpp"
 #include "experiments/run/house.hpp"
+#include "experiments/run/provenance.hpp"
+#include "schemes/api/known_words.hpp"
 
 namespace kappabench {
 
@@ -41,10 +43,12 @@ struct CommandLine {
   ReproduceArguments reproduce_arguments{};
   MergeArguments merge_arguments{};
   ReportArguments report_arguments{};
+  DiffArguments diff_arguments{};
   int status = success;
 
   explicit CommandLine(const Registry& registry) {
     app.require_subcommand(1);
+    app.set_version_flag("--version", version_text());
     add_list(registry);
     add_fit(registry);
     add_hermite(registry);
@@ -54,6 +58,7 @@ struct CommandLine {
     add_reproduce(registry);
     add_merge(registry);
     add_report();
+    add_diff();
   }
 
   static int all_processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
@@ -70,10 +75,19 @@ struct CommandLine {
   void add_fit(const Registry& registry) {
     CLI::App* verb = app.add_subcommand("fit", "Fit one drawing with one scheme");
     verb->add_option("POINTS", fit_arguments.points, "a drawing's id, a file, or - for standard input")->required();
-    verb->add_option("--scheme", fit_arguments.scheme, "ID[:key=value,...]")->required();
-    verb->add_option("--format", fit_arguments.format, "json|csv|svg|xy")
+    verb->add_option("--scheme,--schemes", fit_arguments.scheme, "ID[:key=value,...]")->required();
+    verb->add_option("--format", fit_arguments.format,
+                     "json|csv|svg|xy (default: what the ending of the output says, else json)")
         ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
     verb->add_option("-o,--output", fit_arguments.output, "file to write; default: standard output");
+    verb->footer(
+        "Drawings besides files: random:KIND:n=20,seed=1, analytic:KIND:n=20, glyph:CHARACTER; see "
+        "datasets/README.md.\n"
+        "Examples:\n"
+        "  kappabench fit bird --scheme kappa -o bird.svg\n"
+        "  kappabench fit points.csv --scheme ekappa:a=0.8 -o curve.json\n"
+        "  kappabench fit random:walk:n=30,seed=7 --scheme pkappa --format csv\n"
+        "  printf '0 0\\n1 2\\n3 1\\n' | kappabench fit - --scheme hobby --format svg -o curve.svg");
     verb->callback([&] { status = fit(registry, fit_arguments); });
   }
 
@@ -83,7 +97,8 @@ struct CommandLine {
         ->required();
     verb->add_option("--to", hermite_arguments.to, "x,y,DEG[,kappa]")->required();
     verb->add_option("--scheme", hermite_arguments.scheme, "ID[:key=value,...] that can do it")->capture_default_str();
-    verb->add_option("--format", hermite_arguments.format, "json|csv|svg|xy")
+    verb->add_option("--format", hermite_arguments.format,
+                     "json|csv|svg|xy (default: what the ending of the output says, else json)")
         ->check(CLI::IsMember({"json", "csv", "svg", "xy"}));
     verb->add_option("-o,--output", hermite_arguments.output, "file to write; default: standard output");
     verb->footer(
@@ -99,11 +114,15 @@ struct CommandLine {
     CLI::App* verb = app.add_subcommand("compare", "Compare schemes on your points");
     compare_arguments.processes = all_processors();
     verb->add_option("POINTS", compare_arguments.points, "drawings: ids, files, folders")->required();
-    verb->add_option("--schemes", compare_arguments.schemes, "ID[:key=value;...],... (default: all)")->delimiter(',');
+    verb->add_option("--schemes,--scheme", compare_arguments.schemes, "ID[:key=value,...],... (default: all)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     verb->add_option("--metrics", compare_arguments.metrics, "metric ids (default: those of 'compare')")
         ->delimiter(',');
     verb->add_option("--format", compare_arguments.format, "table|csv|json|latex")
         ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
+    verb->add_option("--against", compare_arguments.against,
+                     "RESULTS.h5: its schemes on the same points stand beside, and are not computed again");
     verb->add_option("-o,--output", compare_arguments.output, "folder for results, figures and index.html");
     verb->callback([&] { status = compare(registry, compare_arguments); });
   }
@@ -154,6 +173,16 @@ struct CommandLine {
     verb->add_option("-o,--output", report_arguments.folder, "folder")->required();
     verb->callback([&] { status = report(report_arguments); });
   }
+
+  void add_diff() {
+    CLI::App* verb = app.add_subcommand("diff", "What changed from one results file to another");
+    verb->add_option("OLD", diff_arguments.before, "results file")->required();
+    verb->add_option("NEW", diff_arguments.after, "results file")->required();
+    verb->add_option("--format", diff_arguments.format, "table (by column)|csv|json (every change)")
+        ->check(CLI::IsMember({"table", "csv", "json"}));
+    verb->footer("Times, messages and provenance are left out; numbers are held against each other bit by bit.");
+    verb->callback([&] { status = diff_verb(diff_arguments); });
+  }
 };
 
 /// CLI11 would only say that a verb is missing.
@@ -162,7 +191,7 @@ void require_known_verb(const CLI::App& app, std::string_view word) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     verbs.push_back(verb->get_name());
   if (!word.starts_with('-') && std::ranges::find(verbs, word) == verbs.end())
-    throw UsageError(fmt::format("unknown verb '{}'; known are {}", word, fmt::join(verbs, ", ")));
+    throw UsageError(fmt::format("unknown verb '{}'; {}", word, known_words(word, verbs)));
 }
 
 }  // namespace

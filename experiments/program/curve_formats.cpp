@@ -115,6 +115,16 @@ std::string svg(const std::vector<Fit>& fits) {
 
 }  // namespace
 
+std::string format_for(const std::filesystem::path& file, std::string_view asked) {
+  if (!asked.empty()) return std::string(asked);
+  const std::string ending = file.extension().string();
+  if (ending.empty()) return "json";
+  for (const std::string_view known : {"json", "csv", "svg", "xy"})
+    if (ending.substr(1) == known) return std::string(known);
+  throw std::invalid_argument(
+      fmt::format("{}: the ending is no format; use .json, .csv, .svg or .xy, or give --format", file.string()));
+}
+
 std::string format_fits(std::string_view format, const Scheme& scheme, const std::vector<Fit>& fits) {
   if (format == "json") return curves_json(scheme, fits);
   if (format == "csv") return csv(fits);

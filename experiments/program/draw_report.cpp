@@ -12,7 +12,7 @@ namespace kappabench {
 void draw_report(const store::Results& results, const std::filesystem::path& folder) {
   std::vector<std::string> problems;
   {
-    const ProgressBar bar("drawing");
+    ProgressBar bar("drawing");
     problems = write_report(results, folder, bar.callback());
   }
   for (const std::string& problem : problems) fmt::print(stderr, "kappabench: {}\n", problem);

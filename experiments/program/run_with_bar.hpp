@@ -7,7 +7,7 @@ namespace kappabench {
 
 /// `run` with a bar on the terminal.
 [[nodiscard]] inline RunSummary run_with_bar(const Registry& registry, const Plan& plan, RunOptions options) {
-  const ProgressBar bar("computing");
+  ProgressBar bar("computing");
   options.progress = bar.callback();
   return run(registry, plan, options);
 }

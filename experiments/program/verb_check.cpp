@@ -34,7 +34,7 @@ int check_verb(const Registry& registry, const CheckArguments& arguments) {
     static_cast<void>(registry.parse(scheme));  // what is misspelt is said first
   std::vector<check::Checked> all;
   {
-    const ProgressBar bar("checking");
+    ProgressBar bar("checking");
     for (const std::string& scheme : schemes)
       all.push_back(check::check(
           scheme, [&] { return registry.parse(scheme); },

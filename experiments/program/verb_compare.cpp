@@ -1,17 +1,19 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "datasets/datasets.hpp"
 #include "experiments/across/compare.hpp"
 #include "experiments/program/draw_report.hpp"
 #include "experiments/program/errors.hpp"
+#include "experiments/program/format_table.hpp"
 #include "experiments/program/run_with_bar.hpp"
 #include "experiments/program/scratch_folder.hpp"
 #include "experiments/program/verbs.hpp"
-#include "reports/tables.hpp"
+#include "reports/store/hdf5_store.hpp"
 
 namespace kappabench {
 
@@ -33,19 +35,6 @@ std::vector<std::string> join_parameters(const std::vector<std::string>& items) 
   return schemes;
 }
 
-std::string table_json(const store::TableRecord& table) {
-  auto rows = nlohmann::ordered_json::array();
-  const auto length = [](const auto& cells) { return cells.size(); };
-  const std::size_t count = table.columns.empty() ? 0 : std::visit(length, table.columns.front().cells);
-  for (std::size_t i = 0; i < count; ++i) {
-    nlohmann::ordered_json row;
-    for (const store::TableColumn& column : table.columns)
-      std::visit([&](const auto& cells) { row[column.name] = cells[i]; }, column.cells);
-    rows.push_back(std::move(row));
-  }
-  return rows.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 /// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.
 store::TableRecord narrow(store::TableRecord table) {
   constexpr std::array<std::string_view, 11> headline{"dataset",
@@ -65,15 +54,54 @@ store::TableRecord narrow(store::TableRecord table) {
   return table;
 }
 
-std::string formatted(const store::TableRecord& table, const std::string& format) {
-  if (format == "csv") return to_csv(table);
-  if (format == "json") return table_json(table);
-  return format == "latex" ? to_latex(table) : to_text(table);
+/// Was the cell computed for the points of the drawing?
+bool of_the_same_points(const store::CellRecord& cell, const Drawing& drawing) {
+  const auto same = [](const store::CurveRecord& curve, const Input& input) {
+    if (curve.closed != input.closed || curve.point_x.size() != input.points.size()) return false;
+    for (std::size_t i = 0; i < input.points.size(); ++i)
+      if (input.points[i] != Vec2(curve.point_x[i], curve.point_y[i])) return false;
+    return true;
+  };
+  return std::ranges::equal(cell.curves, drawing.curves, same);
+}
+
+/// The experiment `compare` of a results file.
+store::ExperimentRecord comparison_in(const fs::path& file) {
+  store::Results results = store::read_results(file);
+  const auto found = std::ranges::find(results.experiments, "compare", &store::ExperimentRecord::id);
+  if (found == results.experiments.end())
+    throw UsageError(
+        fmt::format("{}: has no experiment 'compare'; make one with 'kappabench reproduce compare'", file.string()));
+  return std::move(*found);
+}
+
+/// The cells of a results file whose points are those of the drawings, under the drawings' names, labelled with the
+/// file's name: what stands beside the schemes that are computed here.
+std::vector<store::CellRecord> published_cells(const fs::path& file, const std::vector<std::string>& points) {
+  const store::ExperimentRecord published = comparison_in(file);
+  std::vector<store::CellRecord> cells;
+  const auto add_those_of = [&](const Drawing& drawing) {
+    for (const store::CellRecord& cell : published.cells) {
+      if (!of_the_same_points(cell, drawing)) continue;
+      cells.push_back(cell);
+      cells.back().dataset = drawing.id;
+      cells.back().label += fmt::format(" [{}]", file.filename().string());
+    }
+  };
+  for (const std::string& named : points)
+    for (const Drawing& drawing : open_drawings(named)) add_those_of(drawing);
+  if (cells.empty())
+    throw UsageError(
+        fmt::format("{}: nothing in it was computed for the points of {}; 'kappabench report' shows what was",
+                    file.string(), fmt::join(points, ", ")));
+  return cells;
 }
 
 }  // namespace
 
 int compare(const Registry& registry, const CompareArguments& arguments) {
+  if (!arguments.against.empty() && arguments.schemes.empty())
+    throw UsageError("--against holds some schemes against those of a results file; name them with --schemes");
   Plan plan;
   plan.experiments.push_back({.id = "compare",
                               .schemes = join_parameters(arguments.schemes),
@@ -83,13 +111,18 @@ int compare(const Registry& registry, const CompareArguments& arguments) {
   const ScratchFolder scratch;
   if (keep) fs::create_directories(arguments.output);
   const fs::path results = (keep ? arguments.output : scratch.path()) / "results.h5";
-  const RunSummary summary = run_with_bar(registry, plan, {.results = results, .processes = arguments.processes});
+  RunOptions options{.results = results, .processes = arguments.processes};
+  if (!arguments.against.empty()) options.beside["compare"] = published_cells(arguments.against, arguments.points);
+  const RunSummary summary = run_with_bar(registry, plan, options);
 
   const store::ExperimentRecord& experiment = summary.results.experiments.front();
   const auto table = std::ranges::find(experiment.tables, compare_table_id, &store::TableRecord::id);
   const bool page = arguments.format == "table" || arguments.format == "latex";
-  fmt::print("{}", formatted(page && arguments.metrics.empty() ? narrow(*table) : *table, arguments.format));
-  if (keep) draw_report(summary.results, arguments.output);
+  fmt::print("{}", format_table(page && arguments.metrics.empty() ? narrow(*table) : *table, arguments.format));
+  if (keep) {
+    draw_report(summary.results, arguments.output);
+    fmt::print(stderr, "kappabench: the page is {}\n", (arguments.output / "index.html").string());
+  }
   return summary.lost == 0 ? success : ran_and_failed;
 }
 

@@ -92,7 +92,10 @@ ordered_json things(const Registry& registry, std::string_view what) {
 void print_text(std::string_view what, const ordered_json& list) {
   for (const ordered_json& item : list) {
     fmt::print("{:<24} {}", item["id"].get<std::string>(), item["title"].get<std::string>());
-    if (what == "datasets") fmt::print(" ({} curves, {} points)", item["curves"].get<int>(), item["points"].get<int>());
+    if (what == "datasets") {
+      const int curves = item["curves"].get<int>();
+      fmt::print(" ({} curve{}, {} points)", curves, curves == 1 ? "" : "s", item["points"].get<int>());
+    }
     fmt::print("\n");
     if (what == "schemes")
       for (const ordered_json& parameter : item["parameters"])

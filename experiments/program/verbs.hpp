@@ -20,7 +20,7 @@ int list(const Registry& registry, const ListArguments& arguments);
 struct FitArguments {
   std::string points;
   std::string scheme;
-  std::string format = "json";
+  std::string format{};            ///< empty: as the ending of `output` says
   std::filesystem::path output{};  ///< empty: standard output
 };
 int fit(const Registry& registry, const FitArguments& arguments);
@@ -29,7 +29,7 @@ struct HermiteArguments {
   std::string from;  ///< "x,y,DEG[,kappa]": point, direction in degrees against the x axis, signed curvature
   std::string to;
   std::string scheme = "intrinsic";
-  std::string format = "json";
+  std::string format{};            ///< empty: as the ending of `output` says
   std::filesystem::path output{};  ///< empty: standard output
 };
 int hermite(const Registry& registry, const HermiteArguments& arguments);
@@ -38,8 +38,9 @@ struct CompareArguments {
   std::vector<std::string> points;
   std::vector<std::string> schemes{};
   std::vector<std::string> metrics{};
-  std::string format = "table";    ///< table | csv | json | latex
-  std::filesystem::path output{};  ///< a folder for the report; empty: only the table
+  std::string format = "table";     ///< table | csv | json | latex
+  std::filesystem::path output{};   ///< a folder for the report; empty: only the table
+  std::filesystem::path against{};  ///< a results file whose schemes stand beside; empty: none
   int processes = 1;
 };
 int compare(const Registry& registry, const CompareArguments& arguments);
@@ -74,6 +75,12 @@ struct MergeArguments {
   std::filesystem::path results;
 };
 int merge_verb(const Registry& registry, const MergeArguments& arguments);
+
+struct DiffArguments {
+  std::filesystem::path before, after;
+  std::string format = "table";  ///< table (by column) | csv | json (every change)
+};
+int diff_verb(const DiffArguments& arguments);
 
 struct ReportArguments {
   std::filesystem::path results;

@@ -46,8 +46,9 @@ ExitStatus judge(std::string_view input, const std::vector<Fit>& fits) {
 ExitStatus write_fits(const std::filesystem::path& output, std::string_view format, const Scheme& scheme,
                       const std::vector<Fit>& fits, std::string_view input) {
   // Curves that could be fitted are not withheld because of others; where none could, nothing is overwritten.
+  const std::string known_format = format_for(output, format);
   if (std::ranges::any_of(fits, [](const Fit& f) { return f.curve.has_value(); }))
-    write_file(output, format_fits(format, scheme, fits));
+    write_file(output, format_fits(known_format, scheme, fits));
   return judge(input, fits);
 }
 

@@ -10,7 +10,7 @@
 
 namespace kappabench {
 
-/// What verbs that fit do with their fits: writes them (`format` as in format_fits; to standard output if `output` is
+/// What verbs that fit do with their fits: writes them (`format` as in format_for; to standard output if `output` is
 /// empty), and says in one line on stderr what went wrong first, if anything did; `input` names what was fitted.
 /// Without any curve nothing is written. Returns bad_usage if a fit was refused as unsupported, else ran_and_failed if
 /// one failed or did not converge, else success. Throws as format_fits and write_file do.

@@ -1,11 +1,11 @@
 #include "experiments/run/experiment.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
+
+#include "schemes/api/known_words.hpp"
 
 namespace kappabench {
 
@@ -13,8 +13,9 @@ const Experiment& find_experiment(std::string_view id) {
   const auto experiments = all_experiments();
   const auto found = std::ranges::find(experiments, id, &Experiment::id);
   if (found != experiments.end()) return *found;
-  throw std::invalid_argument(fmt::format("unknown experiment '{}'; known are {}", id,
-                                          fmt::join(experiments | std::views::transform(&Experiment::id), ", ")));
+  std::vector<std::string> ids(experiments.size());
+  std::ranges::transform(experiments, ids.begin(), &Experiment::id);
+  throw std::invalid_argument(fmt::format("unknown experiment '{}'; {}", id, known_words(id, ids)));
 }
 
 }  // namespace kappabench

@@ -90,4 +90,10 @@ std::map<std::string, std::string> provenance(const Registry& registry) {
   return all;
 }
 
+std::string version_text() {
+  const bool changed = std::string_view(KAPPABENCH_DIRTY) == "true";
+  return fmt::format("kappabench {}, commit {:.12}{}", KAPPABENCH_VERSION, KAPPABENCH_COMMIT,
+                     changed ? " with changes" : "");
+}
+
 }  // namespace kappabench

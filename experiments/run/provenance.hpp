@@ -12,4 +12,7 @@ namespace kappabench {
 /// key: "date" and "command" alone differ between runs of one program on one machine.
 [[nodiscard]] std::map<std::string, std::string> provenance(const Registry& registry);
 
+/// "kappabench 0.1.0, commit 0123abcd", with a word if the tree had changes.
+[[nodiscard]] std::string version_text();
+
 }  // namespace kappabench

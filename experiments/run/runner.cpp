@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -48,6 +50,7 @@ std::vector<CellJob> jobs_of_shard(const std::vector<Prepared>& prepared, const 
 }
 
 using Cells = std::map<std::string, store::CellRecord>;
+using Beside = decltype(RunOptions::beside);
 
 void collect(Cells& cells, store::Results&& results) {
   for (store::ExperimentRecord& experiment : results.experiments)
@@ -85,7 +88,7 @@ void reuse_cells(const RunOptions& options, const std::vector<CellJob>& jobs, co
 
 /// Experiments of the plan with the cells there are. With all of them there, tables, figures and verdicts follow.
 store::Results assemble(const Registry& registry, const std::vector<Prepared>& prepared, const Plan& plan,
-                        const Cells& cells, bool complete) {
+                        const Cells& cells, bool complete, const Beside& beside = {}) {
   store::Results results;
   results.provenance = provenance(registry);
   results.provenance["plan"] = to_toml(plan);
@@ -103,6 +106,8 @@ store::Results assemble(const Registry& registry, const std::vector<Prepared>& p
       record.cells.back().dataset = job.dataset;
       record.cells.back().label = job.label;
     }
+    if (const auto others = beside.find(record.id); others != beside.end())
+      std::ranges::copy(others->second, std::back_inserter(record.cells));
     if (complete) conclude(*p.experiment, p.context, record);
     results.experiments.push_back(std::move(record));
   }
@@ -131,7 +136,7 @@ RunSummary run(const Registry& registry, const Plan& plan, const RunOptions& opt
     if (lost(cell)) ++summary.lost;
     cells.emplace(job.key(), std::move(cell));
   }
-  summary.results = assemble(registry, prepared, plan, cells, options.shards == 1);
+  summary.results = assemble(registry, prepared, plan, cells, options.shards == 1, options.beside);
   store::write_results(options.results, summary.results);
   fs::remove_all(folder);
   return summary;

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +20,8 @@ struct RunOptions {
   bool resume = false;   ///< keep the cells of an earlier run of `results` that are still valid
   int shard = 1;         ///< this run computes every `shards`-th cell, starting with the `shard`-th
   int shards = 1;
+  /// Cells from elsewhere that stand beside those of an experiment, by its id: in its tables and figures like its own.
+  std::map<std::string, std::vector<store::CellRecord>> beside{};
   /// Called after every cell: how many of how many are done, and what was done last.
   std::function<void(std::size_t done, std::size_t total, std::string_view last)> progress{};
 };

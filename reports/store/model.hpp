@@ -35,7 +35,7 @@ struct CurveRecord {
   std::map<std::string, long> counters;
   std::map<std::string, long> warnings;  ///< what is legal but wild: names, and how many spans
   // the curve, if there is one
-  std::string exact_json;  ///< kappabench-curve, version 1; empty without a curve
+  std::string exact_json;  ///< an object of kappabench-curve, version 2; empty without a curve
   std::vector<double> sample_x, sample_y, sample_kappa, sample_s;  ///< segment-major, s = arc length from the start
   std::vector<double> sample_normal_x, sample_normal_y;            ///< unit left normals
   int samples_per_segment = 0;

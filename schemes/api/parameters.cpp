@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "schemes/api/known_words.hpp"
+
 namespace kappabench {
 
 namespace {
@@ -27,16 +29,17 @@ std::string shortest(const ParameterValue& value) {
       value);
 }
 
-std::string known_names(std::span<const ParameterSpec> specs) {
+std::string known_names(std::string_view name, std::span<const ParameterSpec> specs) {
   if (specs.empty()) return "it has no parameters";
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const ParameterSpec& spec : specs) names.push_back(spec.name);
-  return fmt::format("known are {}", fmt::join(names, ", "));
+  return known_words(name, names);
 }
 
 const ParameterSpec& spec_of(std::span<const ParameterSpec> specs, std::string_view name) {
   const auto found = std::ranges::find(specs, name, &ParameterSpec::name);
-  if (found == specs.end()) refuse(fmt::format("unknown parameter '{}'; {}", name, known_names(specs)));
+  if (found == specs.end()) refuse(fmt::format("unknown parameter '{}'; {}", name, known_names(name, specs)));
   return *found;
 }
 
@@ -116,7 +119,7 @@ Parameters Parameters::parse(std::span<const ParameterSpec> specs, std::string_v
     text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
     const std::size_t equals = item.find('=');
     if (equals == std::string_view::npos || equals == 0)
-      refuse(fmt::format("'{}': a parameter is written key=value; {}", item, known_names(specs)));
+      refuse(fmt::format("'{}': a parameter is written key=value; {}", item, known_names(item, specs)));
     const ParameterSpec& spec = spec_of(specs, item.substr(0, equals));
     if (!given.emplace(spec.name, parse_value(spec, item.substr(equals + 1))).second)
       refuse(fmt::format("parameter '{}' is given twice", spec.name));

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "schemes/api/known_words.hpp"
+
 namespace kappabench {
 
 void Registry::add(SchemeInfo info, Factory factory) {
@@ -23,9 +25,10 @@ std::vector<SchemeInfo> Registry::list() const {
 const Registry::Entry& Registry::find(std::string_view id) const {
   const auto found = std::ranges::find_if(entries_, [id](const Entry& entry) { return entry.info.id == id; });
   if (found != entries_.end()) return *found;
-  std::vector<std::string_view> ids;
+  std::vector<std::string> ids;
+  ids.reserve(entries_.size());
   for (const Entry& entry : entries_) ids.push_back(entry.info.id);
-  throw std::invalid_argument(fmt::format("unknown scheme '{}'; known are {}", id, fmt::join(ids, ", ")));
+  throw std::invalid_argument(fmt::format("unknown scheme '{}'; {}", id, known_words(id, ids)));
 }
 
 SchemePtr Registry::create(std::string_view id, const std::map<std::string, ParameterValue>& parameters) const {

@@ -29,9 +29,9 @@ TEST_CASE("fit prints the curve as kappabench-curve JSON that rebuilds it") {
   const Ran ran = run(folder, "fit five.txt --scheme ekappa:a=0.8");
   REQUIRE(ran.status == 0);
   CHECK(ran.err.empty());
-  const json curve = json::parse(ran.out);
+  const json curve = json::parse(ran.out).at(0);
   CHECK(curve["format"] == "kappabench-curve");
-  CHECK(curve["version"] == 1);
+  CHECK(curve["version"] == 2);
   CHECK(curve["scheme"] == "ekappa");
   CHECK(curve["parameters"]["a"] == 0.8);
   CHECK(curve["closed"] == true);
@@ -60,7 +60,7 @@ TEST_CASE("the trigonometric scheme names the nodes where |curvature| has a mini
   const ScratchFolder folder;
   // An octagon turns by 45 degrees a point, less than the 58 degrees where a = 0.55 begins to have maxima.
   write(folder.path() / "octagon.txt", "closed\n2 0\n1.4 1.4\n0 2\n-1.4 1.4\n-2 0\n-1.4 -1.4\n0 -2\n1.4 -1.4\n");
-  const json curve = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.55").out);
+  const json curve = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.55").out).at(0);
   REQUIRE(curve["nodes"].size() == 8);
   for (const json& node : curve["nodes"]) CHECK(node["marks"] == json::array({"curvature_minimum"}));
   const json sharp = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.8").out);
@@ -139,7 +139,7 @@ TEST_CASE("a fit that did not converge prints its curve, marked, with exit statu
   const Ran ran = run(folder, "fit five.txt --scheme kappa:iteration=published,max_iterations=1");
   CHECK(ran.status == 3);
   CHECK_THAT(ran.err, ContainsSubstring("not_converged"));
-  const json curve = json::parse(ran.out);
+  const json curve = json::parse(ran.out).at(0);
   CHECK(curve["outcome"] == "not_converged");
   CHECK(curve["segments"].size() == 5);
 }
@@ -191,6 +191,49 @@ TEST_CASE("list names schemes, datasets, metrics and experiments") {
     CHECK(items.size() >= 1);
     CHECK(items[0].contains("id"));
   }
+}
+
+TEST_CASE("a results file is a yardstick: its schemes stand beside, and are not computed again") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  REQUIRE(run(folder, "compare five.txt --schemes kappa,hobby -o published").status == 0);
+  const Ran ran =
+      run(folder, "compare five.txt --schemes catmull-rom --against published/results.h5 --format json -o mine");
+  REQUIRE(ran.status == 0);
+  std::map<std::string, json> rows;
+  for (const json& row : json::parse(ran.out)) rows[row["scheme"]] = row;
+  REQUIRE(rows.size() == 3);
+  CHECK(rows.contains("catmull-rom"));
+  const json published = json::parse(run(folder, "compare five.txt --schemes kappa,hobby --format json").out);
+  for (const json& row : published) {
+    json beside = rows.at(row["scheme"].get<std::string>() + " [results.h5]");
+    beside["scheme"] = row["scheme"];
+    CHECK(beside == row);
+  }
+  CHECK_THAT(contents(folder.path() / "mine" / "index.html"), ContainsSubstring("hobby [results.h5]"));
+  refused(run(folder, "compare toy --schemes kappa --against published/results.h5"), "points of toy");
+  refused(run(folder, "compare five.txt --against published/results.h5"), "--schemes");
+  refused(run(folder, "compare five.txt --schemes kappa --against nowhere.h5"), "nowhere.h5");
+}
+
+TEST_CASE("diff says what changed from one results file to another") {
+  const ScratchFolder folder;
+  write(folder.path() / "five.txt", five);
+  REQUIRE(run(folder, "compare five.txt --schemes kappa,hobby -o one").status == 0);
+  REQUIRE(run(folder, "compare five.txt --schemes kappa,hobby -o same").status == 0);
+  CHECK_THAT(run(folder, "diff one/results.h5 same/results.h5").out,
+             ContainsSubstring("2 cells are in both files and equal, 0 changed"));
+  write(folder.path() / "five.txt", "closed\n0 0\n4 -1\n5 3.5\n2 5\n-1 3\n");
+  REQUIRE(run(folder, "compare five.txt --schemes kappa,cubic-spline -o other").status == 0);
+  const Ran ran = run(folder, "diff one/results.h5 other/results.h5");
+  CHECK(ran.status == 0);
+  CHECK_THAT(ran.out, ContainsSubstring("0 cells are in both files and equal, 1 changed"));
+  CHECK_THAT(ran.out, ContainsSubstring("only in one/results.h5: compare, five, hobby"));
+  CHECK_THAT(ran.out, ContainsSubstring("curve moved by"));
+  const json changes = json::parse(run(folder, "diff one/results.h5 other/results.h5 --format json").out);
+  CHECK(changes.size() > 10);
+  for (const json& change : changes) CHECK(change["scheme"] == "kappa");
+  refused(run(folder, "diff one/results.h5 five.txt"), "five.txt");
 }
 
 TEST_CASE("compare prints a table in every format, and keeps a report where asked") {

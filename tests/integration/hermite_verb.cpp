@@ -79,7 +79,7 @@ void check_end(const Jet& jet, const End& end, double chord) {
 
 /// The curve that the JSON alone gives meets the data.
 void check_json(const std::string& out, const Case& data) {
-  const json curve = json::parse(out);
+  const json curve = json::parse(out).at(0);
   CHECK(curve.at("format") == "kappabench-curve");
   CHECK(curve.at("outcome") == "converged");
   CHECK(curve.at("closed") == false);
@@ -126,7 +126,7 @@ TEST_CASE("hermite fits with intrinsic unless told otherwise, and a known curve 
   const ScratchFolder folder;
   const Ran ran = run(folder, feasible);
   REQUIRE(ran.status == 0);
-  const json curve = json::parse(ran.out);
+  const json curve = json::parse(ran.out).at(0);
   CHECK(curve.at("scheme") == "intrinsic");
   REQUIRE(curve.at("segments").size() == 1);
   CHECK(curve.at("segments")[0].at("length").get<double>() == Approx(1.0447610569786732).epsilon(1e-13));
@@ -219,7 +219,7 @@ TEST_CASE("a hermite curve that was not found is printed, marked, with exit stat
   CHECK(ran.status == 3);
   CHECK_THAT(ran.err, ContainsSubstring("from 0,0,2,1e200 to 1,0,0,1: not_converged: "));
   CHECK(std::count(ran.err.begin(), ran.err.end(), '\n') == 1);
-  const json curve = json::parse(ran.out);
+  const json curve = json::parse(ran.out).at(0);
   CHECK(curve.at("outcome") == "not_converged");
   CHECK(curve.at("segments").size() == 1);
 }

@@ -85,12 +85,45 @@ TEST_CASE("csv: with and without a header", "[datasets]") {
   CHECK(*angle.curves[0].options[0].tangent == Approx(std::numbers::pi).epsilon(1e-15));
 }
 
+TEST_CASE("csv: as spreadsheets and instruments write it", "[datasets]") {
+  const std::vector<Vec2> expected{{0, 0}, {1.5, 0.75}, {3.25, -1.1}};
+  for (const std::string_view text :
+       {"X,Y\r\n0,0\r\n1.5,0.75\r\n3.25,-1.1\r\n", "X;Y\r\n0,00;0,00\r\n1,50;0,75\r\n3,25;-1,1\r\n",
+        "x;y\n0;0\n1.5;.75\n3.25;-1.1\n", "x\ty\n0\t0\n1,5\t0,75\n3,25\t-1,1\n", "0;0\n1,5;0,75\n3,25;-1,1\n",
+        "x,y,\n0,0,\n1.5,0.75,\n3.25,-1.1,\n", "x,y\n0,0,,\n1.5,0.75,,\n3.25,-1.1,,\n",
+        ",x,y\n0,0,0\n1,1.5,0.75\n2,3.25,-1.1\n", "x,y,z\n0,0,9\n1.5,0.75\n3.25,-1.1,\n",
+        "# x_m,y_m,w_m\n0,0,1\n1.5,0.75,1\n3.25,-1.1,1\n",
+        "\"Time [s]\",\"X [mm]\",\"Y [mm]\"\n0,0,0\n1,1.5,0.75\n2,3.25,-1.1\n", "0,0,\n1.5,0.75,\n3.25,-1.1,\n",
+        "y (px);name;x (px)\n0;a;0\n0,75;\"b;c\";1,5\n-1,1;;3,25\n"}) {
+    INFO(text);
+    const Drawing drawing = parse_csv(text, "f");
+    REQUIRE(drawing.curves.size() == 1);
+    CHECK(drawing.curves[0].points == expected);
+    CHECK(drawing.curves[0].options.empty());
+  }
+}
+
+TEST_CASE("a text file is taken for columns where it cannot be plain points, and endings may shout", "[datasets]") {
+  const ScratchFolder scratch;
+  const std::vector<Vec2> expected{{0, 0}, {1.5, 0.75}};
+  CHECK(read_drawing(file_in(scratch, "commas.txt", "0, 0\n1.5, 0.75\n")).curves[0].points == expected);
+  CHECK(read_drawing(file_in(scratch, "header.txt", "X\tY\n0\t0\n1.5\t0.75\n")).curves[0].points == expected);
+  CHECK(read_drawing(file_in(scratch, "plain.dat", "closed\n0\t0\n1.5\t0.75\n")).curves[0].closed);
+  CHECK(read_drawing(file_in(scratch, "LOUD.CSV", "0;0\n1,5;0,75\n")).curves[0].points == expected);
+}
+
 TEST_CASE("csv: refusals", "[datasets]") {
-  CHECK_THAT(refused(parse_csv, "x,y,z\n1,2,3\n"), StartsWith("f:1: unknown column \"z\"; known columns are x, y"));
+  CHECK_THAT(refused(parse_csv, "0,0,0\n1,2,3\n"), StartsWith("f:1: 3 columns without names; "));
   CHECK_THAT(refused(parse_csv, "x,a\n"), StartsWith("f:1: no column x or no column y; "));
   CHECK_THAT(refused(parse_csv, "x,y,x\n"), StartsWith("f:1: column x is there twice; "));
   CHECK_THAT(refused(parse_csv, "x,y\n1\n"), StartsWith("f:2: 1 cells; this file has 2 columns"));
   CHECK_THAT(refused(parse_csv, "0,0\n1;2\n"), StartsWith("f:2: 1 cells; "));
+  CHECK_THAT(refused(parse_csv, "x;y\n1,5;2,5;7\n"),
+             StartsWith("f:2: 3 cells; this file has 2 columns, separated by semicolons"));
+  CHECK_THAT(refused(parse_csv, "x;y\n1.000,5;2\n"), StartsWith("f:2: x = \"1.000,5\" is not a number; "));
+  CHECK_THAT(refused(parse_csv, "# a,b\n0,0,1\n"), StartsWith("f:2: 3 columns without names; "));
+  CHECK_THAT(refused(parse_csv, "u,v\n0,0\n"), StartsWith("f:1: no column x or no column y; "));
+  CHECK_THAT(refused(parse_csv, "x,x_m,y\n0,0,0\n"), StartsWith("f:1: column x is there twice; "));
   CHECK_THAT(refused(parse_csv, "0,0\n1,\n"), StartsWith("f:2: y = \"\" is not a number; "));
   CHECK_THAT(refused(parse_csv, "0,0\n1,inf\n"), StartsWith("f:2: y = \"inf\" is not finite; "));
   CHECK_THAT(refused(parse_csv, "x,y,closed\n0,0,yes\n"), StartsWith("f:2: closed = \"yes\"; give true or false"));

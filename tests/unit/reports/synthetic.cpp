@@ -30,7 +30,7 @@ CurveRecord sampled(const Formula& at, double from, double to, int segments, boo
   curve.closed = closed;
   curve.outcome = "converged";
   curve.samples_per_segment = samples_per_segment;
-  curve.exact_json = R"({"format":"kappabench-curve","version":1,"scheme":"synthetic"})";
+  curve.exact_json = R"({"format":"kappabench-curve","version":2,"scheme":"synthetic"})";
   const double step = (to - from) / segments, h = 1e-4 * (to - from);
   double s = 0.0;
   Place last = at(from);

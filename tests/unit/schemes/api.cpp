@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "schemes/api/known_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/schemes.hpp"
 
@@ -103,4 +104,15 @@ TEST_CASE("the mean chord counts the closing chord of closed input only") {
   CHECK(mean_chord(input) == Approx((2.0 + std::sqrt(2.0)) / 3.0));
   input.closed = false;
   CHECK(mean_chord(input) == 1.0);
+}
+
+TEST_CASE("an unknown word is answered with what may have been meant, nearest first") {
+  const std::vector<std::string> known{"kappa", "ekappa", "pkappa", "fpc", "a", "cubic-spline"};
+  CHECK(known_words("kapa", known) ==
+        "did you mean kappa or ekappa or pkappa? known are kappa, ekappa, pkappa, fpc, a, cubic-spline");
+  CHECK(nearest_words("spline", known) == std::vector<std::string>{"cubic-spline"});
+  CHECK(nearest_words("fcp", known).empty());
+  CHECK(nearest_words("b", known).empty());
+  CHECK(nearest_words("", known).empty());
+  CHECK(nearest_words(std::string(100000, 'k'), known).empty());
 }

@@ -19,6 +19,7 @@
 #include "schemes/segments/elliptic_arc.hpp"
 #include "schemes/segments/intrinsic.hpp"
 #include "schemes/segments/polynomial.hpp"
+#include "schemes/segments/rational.hpp"
 #include "schemes/segments/reparametrized.hpp"
 #include "schemes/segments/trigonometric.hpp"
 #include "tests/catch.hpp"
@@ -45,6 +46,21 @@ Point at(const PolynomialForm& form, const Variable& t) {
     for (std::size_t i = 0; i < left; ++i)
       for (const std::size_t axis : {0U, 1U}) row[i][axis] += t * (row[i + 1][axis] - row[i][axis]);
   return row[0];
+}
+
+Point at(const RationalForm& form, const Variable& t) {
+  const std::size_t degree = form.weights.size() - 1;
+  Variable x(0), y(0), sum(0);
+  Real binomial = 1;
+  for (std::size_t i = 0; i <= degree; ++i) {
+    Variable basis(binomial * static_cast<Real>(form.weights[i]));
+    for (std::size_t k = 0; k < degree; ++k) basis *= k < i ? t : 1 - t;
+    x += static_cast<Real>(form.control_points[i].x()) * basis;
+    y += static_cast<Real>(form.control_points[i].y()) * basis;
+    sum += basis;
+    binomial = binomial * static_cast<Real>(degree - i) / static_cast<Real>(i + 1);
+  }
+  return {x / sum, y / sum};
 }
 
 Point at(const TrigonometricForm& form, const Variable& t) {
@@ -89,6 +105,7 @@ Point at(const ReparametrizedForm& form, const Variable& t) {
 }
 
 Point at(const IntrinsicForm&, const Variable&) { throw std::logic_error("has no closed position"); }
+Point at(const SampledForm&, const Variable&) { throw std::logic_error("has no formula"); }
 Point at(const OpaqueForm&, const Variable&) { throw std::logic_error("has no formula"); }
 
 Point at(const ExactForm& form, const Variable& t) {
@@ -172,6 +189,16 @@ SegmentPtr trigonometric(Random& random) {
   std::array<Vec2, 5> points;
   for (Vec2& p : points) p = random.point();
   return std::make_shared<TrigonometricSegment>(points);
+}
+
+SegmentPtr rational(Random& random) {
+  RationalForm form;
+  const int degree = 2 + random.one_of(4);
+  for (int i = 0; i <= degree; ++i) {
+    form.control_points.push_back(random.point());
+    form.weights.push_back(std::exp(random.between(-2, 2)));
+  }
+  return std::make_shared<RationalSegment>(std::move(form));
 }
 
 SegmentPtr clothoid(Random& random) {
@@ -372,6 +399,12 @@ TEST_CASE("polynomials: certified changes are those of dense samples", "[roots][
 
 TEST_CASE("trigonometric segments: certified changes are those of dense samples", "[roots][curvature]") {
   const Tally tally = compare_many("trigonometric", trigonometric);
+  CHECK(tally.sampled == 0);
+  CHECK(tally.changes > tally.segments / 2);
+}
+
+TEST_CASE("rational segments: certified changes are those of dense samples", "[roots][curvature]") {
+  const Tally tally = compare_many("rational", rational);
   CHECK(tally.sampled == 0);
   CHECK(tally.changes > tally.segments / 2);
 }

@@ -1,0 +1,1 @@
+../../../matlab/kappabench_scheme.m

@@ -1,0 +1,1 @@
+../../../python/kappabench_scheme.py

@@ -1,0 +1,1 @@
+../../experiments/matlab/kappabench_scheme.m

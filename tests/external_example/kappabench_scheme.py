@@ -1,0 +1,1 @@
+../../experiments/python/kappabench_scheme.py
