@@ -42,9 +42,7 @@ fig, axes = plt.subplots(1, 2, figsize=(9.6, 4.6), layout="constrained")
 family = [kb.fit(P, "ekappa", a=a, closed=True) for a in (2 / 3, 0.75, 0.85, 0.95)]
 kb.plot(family, comb=False, curvature=True, joints=False, ax=axes, labels=[f"a = {f.parameters['a']:.2f}" for f in family])
 axes[0].set_title("εκ-curves")
-axes[1].set_yscale("symlog", linthresh=0.5)
-axes[1].set_ylim(0, None)
-axes[1].set_ylabel("curvature (logarithmic from 0.5 on)")
+axes[1].set_title("the larger a, the higher the peaks")
 axes[1].get_legend().remove()
 save("2-one-parameter")
 
@@ -57,10 +55,11 @@ ax.figure.set_size_inches(6.4, 6.6)
 ax.set_title("A bird by four schemes")
 save("3-schemes")
 
-# %% Picture 4. The same with combs, side by side and to one scale: where curvature jumps, the comb does.
-fig, axes = plt.subplots(1, len(schemes), figsize=(3.0 * len(schemes), 3.6), layout="constrained", sharex=True, sharey=True)
+# %% Picture 4. Combs side by side and to one scale: where curvature jumps, the comb does.
+guitar = kb.read("guitar-body")
+fig, axes = plt.subplots(1, len(schemes), figsize=(2.7 * len(schemes), 4.4), layout="constrained", sharex=True, sharey=True)
 for scheme, ax in zip(schemes, axes):
-    kb.plot([kb.fit(points, scheme) for points in bird], ax=ax, comb_scale=30.0, joints=False)
+    kb.plot([kb.fit(points, scheme) for points in guitar], ax=ax, comb_scale=100.0, joints=False, nodes=False)
     ax.set_title(scheme)
 save("4-combs")
 
@@ -80,12 +79,12 @@ for name, number in kb.measure(c).items():
         print(f"{name}: {number.value:.6g} [{number.unit}], {number.method}")
 
 # %% A table over drawings and schemes; pandas.DataFrame(table) takes it.
-table = kb.compare(["bird", "toy", P], schemes)
+table = kb.compare(["bird", "toy", c.points], schemes, metrics="fairness")
 print(table)
 
 # %% Picture 6. Any column is an array: iterations and bending energy of each fit.
 fig, ax = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
-names = np.array([f"{d} {i}" if d == "bird" else d for d, i in zip(table["dataset"], table["curve"])])
+names = np.array([f"{d} {i}" if d == "bird" else d.replace("points 2", "P") for d, i in zip(table["dataset"], table["curve"])])
 places = {name: i for i, name in enumerate(dict.fromkeys(names))}
 for j, (scheme, marker) in enumerate(zip(schemes, "os^D")):
     rows = np.array(table["scheme"]) == scheme

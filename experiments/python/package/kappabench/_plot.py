@@ -83,7 +83,7 @@ def plot(
     for curve, name, seen in zip(curves, names, samples):
         _draw_curve(axes[0], curve, name, seen, colours[name])
     _mark(axes[0], curves, points, joints, nodes and len(colours) == 1)
-    axes[0].set_aspect("equal", adjustable="datalim")
+    axes[0].set_aspect("equal", adjustable="box" if _shared(axes[0]) else "datalim")
     axes[0].set_axis_off()
     if curvature:
         for curve, name, seen in zip(curves, names, samples):
@@ -92,6 +92,11 @@ def plot(
     for one in axes[:1] if ax is None else axes:
         _add_legend(one, len(colours) > 1 or any(curve.report.outcome != "converged" for curve in curves))
     return axes if curvature else axes[0]
+
+
+def _shared(ax: Axes) -> bool:
+    """Has it its limits together with others, both ways? Then they cannot give way to the aspect."""
+    return all(len(group.get_siblings(ax)) > 1 for group in (ax.get_shared_x_axes(), ax.get_shared_y_axes()))
 
 
 def _names(curves: list[Curve], labels: Union[str, Sequence[str], None]) -> list[str]:
@@ -177,27 +182,25 @@ def _draw_combs(
     for curve, seen, colour in zip(curves, samples, colours):
         if seen is None:
             continue
-        tips = _tips(seen.position, seen.normal, seen.curvature, limit, scale)
-        ax.plot(*tips.T, color=colour, lw=0.8, alpha=0.7)
-        count = int(np.clip(curve.length / (_between_teeth * size), 16, 4000)) if np.isfinite(curve.length) else 16
-        evenly = curve.at_length(np.linspace(0.0, curve.length, count))
-        t = np.unique(np.concatenate([evenly, [node.t for node in curve.nodes]]))  # peaks are often at nodes
-        feet, tangent = curve(t), curve.tangent(t)
-        normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=-1)
-        ends = _tips(feet, normal, curve.curvature(t), limit, scale)
-        teeth = np.stack([feet, ends], axis=1)
-        fine = np.isfinite(teeth).all(axis=(1, 2))
-        ax.add_collection(LineCollection(list(teeth[fine]), colors=colour, linewidths=0.5, alpha=0.45))
+        tips = seen.position - scale * np.clip(seen.curvature, -limit, limit)[:, None] * seen.normal
+        # Where the normal turns over, as in a cusp, the envelope would leap.
+        leaps = np.linalg.norm(np.diff(tips, axis=0), axis=1) > 0.5 * scale * limit
+        tips[1:-1][leaps[:-1] & leaps[1:]] = np.nan
+        ax.plot(*np.insert(tips, 1 + np.flatnonzero(leaps), np.nan, axis=0).T, color=colour, lw=0.8, alpha=0.7)
+        teeth = np.stack([seen.position, tips], axis=1)[_teeth(seen.s, tips, _between_teeth * size)]
+        ax.add_collection(LineCollection(list(teeth), colors=colour, linewidths=0.5, alpha=0.45))
 
 
-def _tips(
-    feet: NDArray[np.float64],
-    normal: NDArray[np.float64],
-    curvature: NDArray[np.float64],
-    limit: float,
-    scale: float,
-) -> NDArray[np.float64]:
-    return feet - scale * np.clip(curvature, -limit, limit)[:, None] * normal
+def _teeth(s: NDArray[np.float64], tips: NDArray[np.float64], distance: float) -> list[int]:
+    """The samples that have a tooth: one each distance, and more where the tips run away from each other."""
+    chosen: list[int] = []
+    fine = np.flatnonzero(np.isfinite(s) & np.isfinite(tips).all(axis=1))
+    last_s, last_x, last_y = -np.inf, np.inf, np.inf
+    for i, length, (x, y) in zip(fine.tolist(), s[fine].tolist(), tips[fine].tolist()):
+        if length - last_s >= distance or abs(x - last_x) + abs(y - last_y) >= 2.0 * distance:
+            chosen.append(i)
+            last_s, last_x, last_y = length, x, y
+    return chosen
 
 
 def _draw_curve(ax: Axes, curve: Curve, name: str, seen: Optional[_Samples], colour: str) -> None:
@@ -258,4 +261,4 @@ def _add_legend(ax: Axes, needed: bool) -> None:
         return
     handles, names = ax.get_legend_handles_labels()
     once = dict(zip(names, handles))
-    ax.legend(once.values(), once.keys(), loc="upper center", bbox_to_anchor=(0.5, 0.0), frameon=False, ncol=min(3, len(once)))
+    ax.legend(once.values(), once.keys(), loc="upper center", bbox_to_anchor=(0.5, 0.0), frameon=False, ncol=min(4, len(once)))
