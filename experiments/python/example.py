@@ -17,7 +17,7 @@ folder.mkdir(parents=True, exist_ok=True)
 
 
 def save(name):
-    plt.gcf().savefig(folder / f"{name}.png", dpi=130)
+    plt.gcf().savefig(folder / f"{name}.png", dpi=130, bbox_inches="tight", pad_inches=0.15)
 
 
 P = [[0, 0], [4, -1], [5, 3], [2, 5], [-1, 3]]
