@@ -26,8 +26,10 @@ endforeach()
 set(allowed_experiments/check schemes/curve schemes/api metrics datasets)
 set(allowed_experiments/program ${allowed_experiments/study} schemes/plugin experiments/study experiments/across
     experiments/check)
-set(rooms schemes/numerics schemes/curve schemes/segments schemes/api schemes/plugin ${scheme_folders} metrics datasets datasets/curves reports
-          experiments/run experiments/study ${paper_folders} experiments/across experiments/check experiments/program)
+set(allowed_experiments/python ${allowed_experiments/program} experiments/program)
+set(rooms schemes/numerics schemes/curve schemes/segments schemes/api schemes/plugin ${scheme_folders} metrics datasets
+          datasets/curves reports experiments/run experiments/study ${paper_folders} experiments/across
+          experiments/check experiments/program experiments/python)
 
 set(violations "")
 set(checked 0)
