@@ -53,23 +53,6 @@ std::vector<Vec2> points_of(const std::vector<Node>& nodes, const std::vector<Se
   return points;
 }
 
-/// Throws std::invalid_argument for nodes and joints that no curve can have.
-GivenCurve given(CurveRecord record) {
-  GivenCurve curve;
-  curve.own.closed = record.closed.value_or(ends_meet(record.segments));
-  if (record.nodes) curve.own_nodes = *record.nodes;
-  curve.own.points = points_of(curve.own_nodes, record.segments);
-  if (curve.own.points.empty()) {
-    curve.own_nodes = vertices_of(record.segments, curve.own.closed);
-    curve.own.points = points_of(curve.own_nodes, record.segments);
-  }
-  const std::vector<Joint> joints = record.joints ? *record.joints : std::vector<Joint>{};
-  const std::vector<Node>& nodes = record.nodes ? *record.nodes : curve.own_nodes;
-  static_cast<void>(Curve(record.segments, joints, nodes, curve.own.closed));
-  curve.record = std::move(record);
-  return curve;
-}
-
 std::vector<Joint> found_joints(const std::vector<SegmentPtr>& segments, bool closed) {
   std::vector<Joint> joints;
   joints.reserve(segments.size());
@@ -82,6 +65,23 @@ std::vector<Joint> found_joints(const std::vector<SegmentPtr>& segments, bool cl
 Curve with_nodes(const CurveRecord& record, bool closed, std::vector<Node> nodes) {
   std::vector<Joint> joints = record.joints ? *record.joints : found_joints(record.segments, closed);
   return {record.segments, std::move(joints), std::move(nodes), closed};
+}
+
+/// Throws std::invalid_argument for nodes and joints that no curve can have.
+GivenCurve given(CurveRecord record) {
+  GivenCurve curve;
+  // A closed curve has as many joints as segments, an open one one less.
+  if (!record.closed && record.joints) record.closed = record.joints->size() == record.segments.size();
+  curve.own.closed = record.closed.value_or(ends_meet(record.segments));
+  if (record.nodes) curve.own_nodes = *record.nodes;
+  curve.own.points = points_of(curve.own_nodes, record.segments);
+  if (curve.own.points.empty()) {
+    curve.own_nodes = vertices_of(record.segments, curve.own.closed);
+    curve.own.points = points_of(curve.own_nodes, record.segments);
+  }
+  static_cast<void>(with_nodes(record, curve.own.closed, record.nodes ? *record.nodes : curve.own_nodes));
+  curve.record = std::move(record);
+  return curve;
 }
 
 /// Does the curve pass the nodes one after the other, once around if it is closed?
