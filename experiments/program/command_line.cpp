@@ -5,7 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <new>
+#include <set>
+#include <system_error>
 #include <thread>
 
 #include "datasets/datasets.hpp"
@@ -263,15 +266,33 @@ std::vector<std::filesystem::path> plugins_of_environment() {
   return files;
 }
 
+/// The same files, each once: one that the environment names may be named again.
+std::vector<std::filesystem::path> each_once(const std::vector<std::filesystem::path>& files,
+                                             const std::vector<std::filesystem::path>& but = {}) {
+  const auto place = [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(file, ignored);
+  };
+  std::set<std::filesystem::path> seen;
+  for (const std::filesystem::path& file : but) seen.insert(place(file));
+  std::vector<std::filesystem::path> once;
+  std::ranges::copy_if(files, std::back_inserter(once),
+                       [&](const std::filesystem::path& file) { return seen.insert(place(file)).second; });
+  return once;
+}
+
 /// Adds the schemes from outside. What cannot be loaded is a line each; if the command line names it, an error, except
-/// where the question is what there is.
+/// where the question is what there is, and the list of schemes says it itself.
 std::vector<PluginFailure> add_plugins(int argc, char** argv, Registry& registry) {
-  std::vector<PluginFailure> failures = load_plugins(plugins_of_environment(), registry);
-  const std::vector<PluginFailure> named = load_plugins(plugins_named(argc, argv), registry);
+  const std::vector<std::filesystem::path> files = plugins_named(argc, argv);
+  std::vector<PluginFailure> failures = load_plugins(each_once(plugins_of_environment(), files), registry);
+  const std::vector<PluginFailure> named = load_plugins(each_once(files), registry);
   const bool listing = argc > 1 && std::string_view(argv[1]) == "list";
   if (!listing && !named.empty()) throw UsageError(named.front().why);
   failures.insert(failures.end(), named.begin(), named.end());
-  for (const PluginFailure& failure : failures) fmt::print(stderr, "kappabench: not loaded: {}\n", failure.why);
+  const bool listing_schemes = listing && argc > 2 && std::string_view(argv[2]) == "schemes";
+  if (!listing_schemes)
+    for (const PluginFailure& failure : failures) fmt::print(stderr, "kappabench: not loaded: {}\n", failure.why);
   return failures;
 }
 

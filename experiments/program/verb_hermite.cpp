@@ -6,6 +6,7 @@
 
 #include "datasets/text.hpp"
 #include "experiments/program/errors.hpp"
+#include "experiments/program/in_child.hpp"
 #include "experiments/program/verbs.hpp"
 #include "experiments/program/write_fits.hpp"
 
@@ -54,7 +55,11 @@ int hermite(const Registry& registry, const HermiteArguments& arguments) {
   add_end(input, "--to", arguments.to);
   const std::string ends = fmt::format("from {} to {}", arguments.from, arguments.to);
   if (mean_chord(input) == 0.0) throw UsageError(ends + ": the points coincide; give two different ones");
-  return write_fits(arguments.output, arguments.format, *scheme, {scheme->fit(input)}, ends);
+  const auto fit_it = [&] {
+    return static_cast<int>(write_fits(arguments.output, arguments.format, *scheme, {scheme->fit(input)}, ends));
+  };
+  return scheme->info().plugin.empty() ? fit_it()
+                                       : in_child(fmt::format("{}: scheme {}", ends, scheme->info().id), fit_it);
 }
 
 }  // namespace kappabench

@@ -84,6 +84,14 @@ ordered_json experiments_json() {
   return list;
 }
 
+/// The schemes, and files that should have brought some: those have no id.
+ordered_json schemes_and_failures_json(const Registry& registry, const std::vector<PluginFailure>& failures) {
+  ordered_json list = schemes_json(registry);
+  for (const PluginFailure& failure : failures)
+    list.push_back({{"id", nullptr}, {"plugin", failure.file.string()}, {"not_loaded", failure.why}});
+  return list;
+}
+
 ordered_json things(const Registry& registry, std::string_view what) {
   if (what == "schemes") return schemes_json(registry);
   if (what == "datasets") return datasets_json();
@@ -114,12 +122,15 @@ void print_text(std::string_view what, const ordered_json& list) {
 }  // namespace
 
 int list(const Registry& registry, const ListArguments& arguments) {
-  const ordered_json list = things(registry, arguments.what);
-  if (arguments.json)
-    fmt::print("{}\n", list.dump(2));
-  else
-    print_text(arguments.what, list);
-  if (!arguments.json && arguments.what == "schemes")
+  const bool schemes = arguments.what == "schemes";
+  if (arguments.json) {
+    const ordered_json list =
+        schemes ? schemes_and_failures_json(registry, arguments.failed_plugins) : things(registry, arguments.what);
+    fmt::print("{}\n", list.dump(2, ' ', false, ordered_json::error_handler_t::replace));
+    return 0;
+  }
+  print_text(arguments.what, things(registry, arguments.what));
+  if (schemes)
     for (const PluginFailure& failure : arguments.failed_plugins) fmt::print("not loaded: {}\n", failure.why);
   return 0;
 }

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <map>
 #include <span>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "experiments/program/errors.hpp"
@@ -42,7 +44,7 @@ const std::array<Kind, 4>& kinds() {
            {"cpp", "plugin"},
            "}  // namespace kappabench\n\nvoid register_schemes(kappabench::Registry& registry) { "
            "registry.add<kappabench::@CLASS@>(); }",
-           "  cmake -S @DIR@ -B @DIR@/build -DCMAKE_PREFIX_PATH=<where kappabench is installed>\n"
+           "  cmake -S @DIR@ -B @DIR@/build -DCMAKE_PREFIX_PATH=@PREFIX@\n"
            "  cmake --build @DIR@/build\n"
            "  kappabench check @NAME@ --plugin @DIR@/build/@IDENT@.so\n"},
       Kind{"python",
@@ -58,7 +60,24 @@ const std::array<Kind, 4>& kinds() {
   return all;
 }
 
-/// "my-spline" as other texts need it: my_spline, MySpline, "My spline".
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:@%=";
+  if (word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// Where this program is installed with what plugins need; "~/kappabench", as README.md has it, if it is not.
+std::string place_of_package() {
+  std::error_code error;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  const bool installed = !error && fs::is_directory(prefix / "include" / "kappabench", error);
+  return installed ? quoted(prefix.string()) : "~/kappabench";
+}
+
+/// "my-spline" as other texts need it: my_spline, MySplineScheme (no name of the library's), "My spline".
 std::map<std::string, std::string> words_for(const std::string& name, const fs::path& folder) {
   std::string ident = name, type, title = name;
   std::ranges::replace(ident, '-', '_');
@@ -73,9 +92,10 @@ std::map<std::string, std::string> words_for(const std::string& name, const fs::
   const fs::path plain = folder.lexically_normal();
   return {{"@NAME@", name},
           {"@IDENT@", ident},
-          {"@CLASS@", type},
+          {"@CLASS@", type + "Scheme"},
           {"@TITLE@", title},
-          {"@DIR@", folder.string()},
+          {"@DIR@", quoted(folder.string())},
+          {"@PREFIX@", place_of_package()},
           {"@FOLDER@", (plain.has_filename() ? plain : plain.parent_path()).filename().string()}};
 }
 

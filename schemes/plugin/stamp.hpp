@@ -12,8 +12,14 @@ namespace kappabench {
 [[nodiscard]] inline std::string plugin_stamp() {
   // Raised when an interface changes in a way that no size shows.
   constexpr int interface_version = 1;
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__)
   const std::string sanitizer = "address";
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+  const std::string sanitizer = "address";
+#else
+  const std::string sanitizer = "none";
+#endif
 #else
   const std::string sanitizer = "none";
 #endif
@@ -27,7 +33,8 @@ namespace kappabench {
 #else
   const std::string compiler = "gcc-" + std::to_string(__GNUC__);
 #endif
-  const auto sizes = {sizeof(Input), sizeof(Report), sizeof(Curve), sizeof(Fit), sizeof(SchemeInfo), sizeof(Scheme)};
+  const auto sizes = {sizeof(Input),  sizeof(Report),     sizeof(Curve),      sizeof(Fit),
+                      sizeof(Scheme), sizeof(SchemeInfo), sizeof(Parameters), sizeof(Registry)};
   std::string stamp = "interface=" + std::to_string(interface_version) + " compiler=" + compiler +
                       " library=" + library + " eigen-alignment=" + std::to_string(EIGEN_MAX_ALIGN_BYTES) +
                       " sanitizer=" + sanitizer + " sizes=";

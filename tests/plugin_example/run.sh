@@ -56,10 +56,19 @@ refused hang_at_load "took longer than 10 s"
 refused nowhere "no such file"
 cp next bad/text.so
 refused text "cannot be loaded"
+mkdir bad/folder.so
+refused folder "a folder; name the shared library in it"
+refused crash_when_made_in_fit "crashed when it was tried (Segmentation fault)"
+refused bad_id_in_fit "registers a scheme 'My Spline:a=1'; an id has"
+refused taken_id_in_fit "bad/taken_id_in_fit.so: there is a scheme 'kappa' already"
 expect 0 "not loaded: bad/no_entry.so" "$kappabench" list schemes --plugin bad/no_entry.so
 KAPPABENCH_PLUGINS=bad/no_entry.so:$plugin expect 0 "not loaded: bad/no_entry.so" "$kappabench" list schemes
 grep -q '^my-spline' out || fail "a good plugin beside a bad one is not there"
 KAPPABENCH_PLUGINS=bad/no_entry.so expect 0 "not loaded" "$kappabench" fit bird --scheme kappa -o bird.json
+expect 0 '"not_loaded": "bad/no_entry.so' "$kappabench" list schemes --json --plugin bad/no_entry.so
+KAPPABENCH_PLUGINS=$plugin:$plugin expect 0 '"outcome":"converged"' "$kappabench" fit bird --plugin "$plugin" --scheme my-spline
+expect 3 "failed: the plugin throws: no such" "$kappabench" fit bird --plugin bad/throw_in_fit.so --scheme trouble
+expect 3 "converged, and returns no curve" "$kappabench" fit bird --plugin bad/no_curve_in_fit.so --scheme trouble
 expect 3 "crashed: Segmentation fault" "$kappabench" fit bird --plugin bad/crash_in_fit.so --scheme trouble
 printf 'seed = 1\n[[experiment]]\nid = "compare"\nschemes = ["kappa", "trouble"]\ndatasets = ["toy"]\n' >plan.toml
 for trouble in crash hang; do
