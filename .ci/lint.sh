@@ -24,18 +24,18 @@ changed_sources() {
   local base
   base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null || git rev-parse HEAD)
   [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-parse -q --verify HEAD~1 || echo HEAD)
-  git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp' ':!tests' | sed 's/\.hpp$/.cpp/' | sort -u |
+  git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.hpp' ':!tests' ':!*/templates/*' | sed 's/\.hpp$/.cpp/' | sort -u |
     while read -r file; do [ ! -f "$file" ] || echo "$file"; done
 }
 
 case ${1:-} in
   format)
-    mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
+    mapfile -t files < <(git ls-files '*.cpp' '*.hpp' ':!*/templates/*')
     clang-format-14 --dry-run --Werror "${files[@]}" ;;
   tidy)
     build=${2:?the build folder}
     files=("${@:3}")
-    [ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.cpp' ':!tests')
+    [ ${#files[@]} -gt 0 ] || mapfile -t files < <(git ls-files '*.cpp' ':!tests' ':!*/templates/*')
     tidy "$build" "${files[@]}" ;;
   changed)
     mapfile -t files < <(changed_sources)

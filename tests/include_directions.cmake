@@ -16,6 +16,7 @@ foreach(folder ${scheme_folders})
 endforeach()
 set(allowed_metrics schemes/numerics schemes/curve schemes/api)
 set(allowed_datasets schemes/api schemes/curve/vec.hpp)
+set(allowed_datasets/curves schemes/curve schemes/segments schemes/api datasets)
 set(allowed_reports "")
 set(allowed_experiments/run schemes/curve schemes/api metrics datasets reports)
 set(allowed_experiments/study ${allowed_experiments/run} experiments/run)
@@ -26,14 +27,20 @@ set(allowed_experiments/check schemes/curve schemes/api metrics datasets)
 set(allowed_experiments/program ${allowed_experiments/study} schemes/plugin experiments/study experiments/across
     experiments/check)
 set(allowed_experiments/python ${allowed_experiments/program} experiments/program)
-set(rooms schemes/numerics schemes/curve schemes/segments schemes/api schemes/plugin ${scheme_folders} metrics datasets reports
-          experiments/run experiments/study ${paper_folders} experiments/across experiments/check experiments/program
-          experiments/python)
+set(rooms schemes/numerics schemes/curve schemes/segments schemes/api schemes/plugin ${scheme_folders} metrics datasets
+          datasets/curves reports experiments/run experiments/study ${paper_folders} experiments/across
+          experiments/check experiments/program experiments/python)
 
 set(violations "")
 set(checked 0)
 foreach(room ${rooms})
   file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
+  list(FILTER files EXCLUDE REGEX "/templates/")  # skeletons that the program writes
+  foreach(inner ${rooms})
+    if(inner MATCHES "^${room}/")
+      list(FILTER files EXCLUDE REGEX "^${inner}/")
+    endif()
+  endforeach()
   foreach(file ${files})
     file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"")
     foreach(line ${includes})

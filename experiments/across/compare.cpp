@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "experiments/study/experiment.hpp"
+#include "experiments/study/given_job.hpp"
 #include "experiments/study/selection.hpp"
 
 namespace kappabench {
@@ -31,7 +32,7 @@ std::vector<CellJob> jobs(const Context& context) {
   std::vector<CellJob> jobs;
   for (const Drawing& drawing : study::drawings_of(context)) {
     if (too_large(context, drawing)) continue;
-    for (const SchemePtr& scheme : schemes) jobs.push_back(fit_job(drawing, scheme, metrics));
+    for (const SchemePtr& scheme : schemes) jobs.push_back(study::measure_job(drawing, scheme, metrics));
   }
   return jobs;
 }
@@ -39,6 +40,7 @@ std::vector<CellJob> jobs(const Context& context) {
 void conclude(study::Findings& found) {
   found.add(comparison::scheme_table(found));
   found.add(comparison::curve_table(found));
+  if (const auto distances = comparison::distance_table(found)) found.add(*distances);
   found.add(comparison::profile_table(found));
   for (const study::Table& table : comparison::distribution_tables(found)) found.add(table);
   for (store::FigureRecord& figure : comparison::drawing_figures(found)) found.add(std::move(figure));

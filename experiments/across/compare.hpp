@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace comparison {
 /// Every curve and scheme in a row, and each scheme over all curves.
 [[nodiscard]] study::Table curve_table(const study::Findings& found);
 [[nodiscard]] study::Table scheme_table(const study::Findings& found);
+
+/// How far curves that were made elsewhere pass from the points; nothing if there are no such curves.
+[[nodiscard]] std::optional<study::Table> distance_table(const study::Findings& found);
 
 /// Shares of curves by value and by time.
 [[nodiscard]] std::vector<study::Table> distribution_tables(const study::Findings& found);

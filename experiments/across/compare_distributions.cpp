@@ -100,6 +100,10 @@ Table profile_table(const Findings& found) {
   for (const auto& [label, values] : seconds) curves = std::max(curves, values.size());
   // A scheme whose cell was lost has no row for the curve: curves could not be matched.
   std::erase_if(seconds, [curves](const auto& scheme) { return scheme.second.size() != curves; });
+  // Nobody knows how long it took to make a curve that was made elsewhere.
+  std::erase_if(seconds, [](const auto& scheme) {
+    return std::ranges::any_of(scheme.second, [](double value) { return std::isnan(value); });
+  });
   std::vector<double> fastest(curves, never);
   for (const auto& [label, values] : seconds)
     for (std::size_t i = 0; i < curves; ++i) fastest[i] = std::min(fastest[i], values[i]);

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "experiments/across/compare.hpp"
+#include "experiments/study/given_job.hpp"
 #include "experiments/study/measured.hpp"
 
 namespace kappabench::comparison {
@@ -115,6 +118,24 @@ Table scheme_table(const Findings& found) {
     for (const Column& column : columns) row.emplace_back(median(of.values[column.name]));
     table.row(row);
   }
+  return table;
+}
+
+std::optional<Table> distance_table(const Findings& found) {
+  namespace given = study::given;
+  Table table("distances", "Curves made elsewhere: distance from each point",
+              "How far each curve passes from the points that it is judged against.");
+  table.words("dataset").words("scheme").counts("curve").counts("point");
+  table.numbers(given::distance.name, given::distance.unit);
+  table.numbers(given::distance_over_chord.name, given::distance_over_chord.unit);
+  const study::Rows rows =
+      found.rows().where_row([](const study::Row& row) { return row.has(given::distance_over_chord); });
+  if (rows.empty()) return std::nullopt;
+  const auto word = [](const study::KeyValue& value) { return std::get<std::string>(value); };
+  const auto number = [](const study::KeyValue& value) { return std::get<double>(value); };
+  for (const study::Row* row : rows)
+    table.row({word((*row)[study::key::dataset]), word((*row)[study::key::label]), number((*row)[given::curve]),
+               number((*row)[given::point]), (*row)[given::distance], (*row)[given::distance_over_chord]});
   return table;
 }
 

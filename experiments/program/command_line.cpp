@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "datasets/datasets.hpp"
+#include "datasets/text.hpp"
 #include "experiments/program/errors.hpp"
 #include "experiments/program/verbs.hpp"
 #include "experiments/run/house.hpp"
@@ -38,27 +39,37 @@ struct CommandLine {
   FitArguments fit_arguments{};
   HermiteArguments hermite_arguments{};
   CompareArguments compare_arguments{};
+  MeasureArguments measure_arguments{};
   CheckArguments check_arguments{};
   RunArguments run_arguments{};
   ReproduceArguments reproduce_arguments{};
   MergeArguments merge_arguments{};
   ReportArguments report_arguments{};
   DiffArguments diff_arguments{};
+  NewSchemeArguments new_scheme_arguments{};
+  std::vector<std::string> plugins{};  ///< known before the rest is read: plugins_named
   int status = success;
 
-  explicit CommandLine(const Registry& registry) {
+  CommandLine(const Registry& registry, const std::vector<PluginFailure>& failed_plugins) {
+    list_arguments.failed_plugins = failed_plugins;
     app.require_subcommand(1);
     app.set_version_flag("--version", version_text());
     add_list(registry);
     add_fit(registry);
     add_hermite(registry);
     add_compare(registry);
+    add_measure(registry);
     add_check(registry);
     add_run(registry);
     add_reproduce(registry);
     add_merge(registry);
     add_report();
     add_diff();
+    add_new_scheme(registry);
+    for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+      verb->add_option("--plugin", plugins,
+                       "FILE with schemes from outside: *.toml or a shared library; may be repeated")
+          ->allow_extra_args(false);
   }
 
   static int all_processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
@@ -119,12 +130,36 @@ struct CommandLine {
         ->allow_extra_args(false);
     verb->add_option("--metrics", compare_arguments.metrics, "metric ids (default: those of 'compare')")
         ->delimiter(',');
+    verb->add_option("--curves", compare_arguments.curves, "files of curves made elsewhere: SVG, curve JSON")
+        ->delimiter(',');
     verb->add_option("--format", compare_arguments.format, "table|csv|json|latex")
         ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
     verb->add_option("--against", compare_arguments.against,
                      "RESULTS.h5: its schemes on the same points stand beside, and are not computed again");
     verb->add_option("-o,--output", compare_arguments.output, "folder for results, figures and index.html");
     verb->callback([&] { status = compare(registry, compare_arguments); });
+  }
+
+  void add_measure(const Registry& registry) {
+    CLI::App* verb = app.add_subcommand("measure", "Measure curves that were made elsewhere");
+    verb->add_option("CURVE", measure_arguments.curves, "files: SVG, curve JSON, or - for standard input")->required();
+    verb->add_option("--points", measure_arguments.points, "drawings to judge them against (default: their own points)")
+        ->delimiter(',');
+    verb->add_option("--metrics", measure_arguments.metrics, "metric ids (default: all that do not fit)")
+        ->delimiter(',');
+    verb->add_option("--format", measure_arguments.format, "table|csv|json|latex")
+        ->check(CLI::IsMember({"table", "csv", "json", "latex"}));
+    verb->add_option("-o,--output", measure_arguments.output, "folder for results, figures and index.html");
+    verb->footer(
+        "Of SVG every path, line, polyline, polygon, rect, circle and ellipse is read, where its transforms put it, "
+        "in\n"
+        "units of the viewBox with y upwards. A curve's own points are the nodes that curve JSON names, else its\n"
+        "vertices. A curve that misses the points is not_converged; the residual is its largest distance from a point\n"
+        "over the mean chord.\n"
+        "Examples:\n"
+        "  kappabench measure drawing.svg\n"
+        "  kappabench measure mine.svg theirs.json --points bird -o page");
+    verb->callback([&] { status = measure(registry, measure_arguments); });
   }
 
   void add_check(const Registry& registry) {
@@ -174,6 +209,27 @@ struct CommandLine {
     verb->callback([&] { status = report(report_arguments); });
   }
 
+  void add_new_scheme(const Registry& registry) {
+    CLI::App* verb =
+        app.add_subcommand("new-scheme", "Write the skeleton of a scheme of your own, which works already");
+    verb->add_option("NAME", new_scheme_arguments.name, "its id: lower-case letters, digits and hyphens")->required();
+    verb->add_option("DIR", new_scheme_arguments.folder, "a new folder")->required();
+    CLI::Option_group* kinds = verb->add_option_group("language");
+    for (const std::string kind : {"in-tree", "plugin", "python", "matlab"})
+      kinds->add_flag_callback(
+          "--" + kind, [this, kind] { new_scheme_arguments.kind = kind; },
+          kind == "in-tree"  ? "C++, a folder of schemes/ (default)"
+          : kind == "plugin" ? "C++, a shared library of its own"
+          : kind == "python" ? "Python, a program of its own"
+                             : "MATLAB or Octave, a program of its own");
+    kinds->require_option(0, 1);
+    verb->footer(
+        "Examples:\n"
+        "  kappabench new-scheme my-spline my-spline --python\n"
+        "  kappabench new-scheme my-spline schemes/my_spline --in-tree");
+    verb->callback([&] { status = new_scheme(registry, new_scheme_arguments); });
+  }
+
   void add_diff() {
     CLI::App* verb = app.add_subcommand("diff", "What changed from one results file to another");
     verb->add_option("OLD", diff_arguments.before, "results file")->required();
@@ -184,6 +240,40 @@ struct CommandLine {
     verb->callback([&] { status = diff_verb(diff_arguments); });
   }
 };
+
+/// The files of --plugin on the command line: schemes must be known before it is read.
+std::vector<std::filesystem::path> plugins_named(int argc, char** argv) {
+  constexpr std::string_view option = "--plugin";
+  std::vector<std::filesystem::path> files;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word(argv[i]);
+    if (word == option && i + 1 < argc) files.emplace_back(argv[++i]);
+    if (word.starts_with("--plugin=")) files.emplace_back(word.substr(option.size() + 1));
+  }
+  return files;
+}
+
+/// Those of the variable KAPPABENCH_PLUGINS, a list like PATH.
+std::vector<std::filesystem::path> plugins_of_environment() {
+  const char* list = std::getenv("KAPPABENCH_PLUGINS");
+  std::vector<std::filesystem::path> files;
+  if (list == nullptr) return files;
+  for (const std::string_view file : split(list, ':'))
+    if (!file.empty()) files.emplace_back(file);
+  return files;
+}
+
+/// Adds the schemes from outside. What cannot be loaded is a line each; if the command line names it, an error, except
+/// where the question is what there is.
+std::vector<PluginFailure> add_plugins(int argc, char** argv, Registry& registry) {
+  std::vector<PluginFailure> failures = load_plugins(plugins_of_environment(), registry);
+  const std::vector<PluginFailure> named = load_plugins(plugins_named(argc, argv), registry);
+  const bool listing = argc > 1 && std::string_view(argv[1]) == "list";
+  if (!listing && !named.empty()) throw UsageError(named.front().why);
+  failures.insert(failures.end(), named.begin(), named.end());
+  for (const PluginFailure& failure : failures) fmt::print(stderr, "kappabench: not loaded: {}\n", failure.why);
+  return failures;
+}
 
 /// CLI11 would only say that a verb is missing.
 void require_known_verb(const CLI::App& app, std::string_view word) {
@@ -201,7 +291,8 @@ int run_command_line(int argc, char** argv) {
     Registry registry;
     register_all(registry);
     check_house(all_experiments(), printed_papers(), drawings_to_check());
-    CommandLine command(registry);
+    const std::vector<PluginFailure> failed_plugins = add_plugins(argc, argv, registry);
+    CommandLine command(registry, failed_plugins);
     if (argc > 1) require_known_verb(command.app, argv[1]);
     try {
       command.app.parse(argc, argv);

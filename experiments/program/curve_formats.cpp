@@ -105,10 +105,12 @@ std::string svg(const std::vector<Fit>& fits) {
                           converged ? "" : fmt::format(R"( stroke-dasharray="{}")", 4.0 * stroke),
                           outcome_words(fit.report));
     }
-    for (const Vec2& p : fit.input.points)
-      text += fmt::format(R"(<circle cx="{}" cy="{}" r="{}" fill="black"/>)"
-                          "\n",
-                          p.x(), p.y(), 2.0 * stroke);
+    // Dots are strokes without length, so that who reads the curves back finds nothing else.
+    std::string dots;
+    for (const Vec2& p : fit.input.points) dots += fmt::format("M {} {} h 0 ", p.x(), p.y());
+    text += fmt::format(R"(<path d="{}" stroke="black" stroke-linecap="round" stroke-width="{}"/>)"
+                        "\n",
+                        dots, 4.0 * stroke);
   }
   return text + "</g></svg>\n";
 }

@@ -4,6 +4,7 @@
 
 #include "experiments/check/check.hpp"
 #include "experiments/program/errors.hpp"
+#include "experiments/program/in_child.hpp"
 #include "experiments/program/progress_bar.hpp"
 #include "experiments/program/verbs.hpp"
 #include "experiments/program/write_file.hpp"
@@ -26,12 +27,7 @@ std::string written(const CheckArguments& arguments, const std::vector<check::Ch
   return arguments.all ? check::overview(all) : check::page(all.front());
 }
 
-}  // namespace
-
-int check_verb(const Registry& registry, const CheckArguments& arguments) {
-  const std::vector<std::string> schemes = schemes_of(registry, arguments);
-  for (const std::string& scheme : schemes)
-    static_cast<void>(registry.parse(scheme));  // what is misspelt is said first
+int checked(const Registry& registry, const std::vector<std::string>& schemes, const CheckArguments& arguments) {
   std::vector<check::Checked> all;
   {
     ProgressBar bar("checking");
@@ -44,6 +40,17 @@ int check_verb(const Registry& registry, const CheckArguments& arguments) {
   }
   write_file(arguments.output, written(arguments, all));
   return std::ranges::all_of(all, &check::Checked::sound) ? success : ran_and_failed;
+}
+
+}  // namespace
+
+int check_verb(const Registry& registry, const CheckArguments& arguments) {
+  const std::vector<std::string> schemes = schemes_of(registry, arguments);
+  const bool from_outside = std::ranges::any_of(schemes, [&](const std::string& scheme) {
+    return !registry.parse(scheme)->info().plugin.empty();  // what is misspelt is said first
+  });
+  const auto check_all = [&] { return checked(registry, schemes, arguments); };
+  return from_outside ? in_child(arguments.all ? "check" : arguments.scheme, check_all) : check_all();
 }
 
 }  // namespace kappabench

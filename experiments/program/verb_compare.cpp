@@ -2,14 +2,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "datasets/datasets.hpp"
-#include "experiments/across/compare.hpp"
 #include "experiments/program/draw_report.hpp"
 #include "experiments/program/errors.hpp"
-#include "experiments/program/format_table.hpp"
+#include "experiments/program/format_comparison.hpp"
+#include "experiments/program/open_curves.hpp"
 #include "experiments/program/run_with_bar.hpp"
 #include "experiments/program/scratch_folder.hpp"
 #include "experiments/program/verbs.hpp"
@@ -33,25 +32,6 @@ std::vector<std::string> join_parameters(const std::vector<std::string>& items) 
       schemes.push_back(item);
   }
   return schemes;
-}
-
-/// A terminal and a page are narrow: unless the user chose metrics, one column of each kind.
-store::TableRecord narrow(store::TableRecord table) {
-  constexpr std::array<std::string_view, 11> headline{"dataset",
-                                                      "curve",
-                                                      "scheme",
-                                                      "outcome",
-                                                      "warnings",
-                                                      "iterations",
-                                                      "residual",
-                                                      "pinned",
-                                                      "parabola_energy_centred_scaled_mean",
-                                                      "curvature_extrema",
-                                                      "continuity_curvature_jump_all"};
-  std::erase_if(table.columns, [&](const store::TableColumn& column) {
-    return std::ranges::find(headline, column.name) == headline.end();
-  });
-  return table;
 }
 
 /// Was the cell computed for the points of the drawing?
@@ -97,14 +77,28 @@ std::vector<store::CellRecord> published_cells(const fs::path& file, const std::
   return cells;
 }
 
+/// The schemes asked for, all of them if none, and curves that were made elsewhere, which the registry then knows.
+std::vector<std::string> with_curves(std::vector<std::string> schemes, const std::vector<std::string>& files,
+                                     Registry& registry) {
+  if (files.empty()) return schemes;
+  if (schemes.empty())
+    for (const SchemeInfo& info : registry.list()) schemes.push_back(info.id);
+  for (const auto& curves : open_curves(files, registry)) {
+    registry.add(curves->info(), [curves](const Parameters&) { return curves; });
+    schemes.push_back(curves->info().id);
+  }
+  return schemes;
+}
+
 }  // namespace
 
-int compare(const Registry& registry, const CompareArguments& arguments) {
+int compare(const Registry& known, const CompareArguments& arguments) {
   if (!arguments.against.empty() && arguments.schemes.empty())
     throw UsageError("--against holds some schemes against those of a results file; name them with --schemes");
+  Registry registry = known;
   Plan plan;
   plan.experiments.push_back({.id = "compare",
-                              .schemes = join_parameters(arguments.schemes),
+                              .schemes = with_curves(join_parameters(arguments.schemes), arguments.curves, registry),
                               .datasets = arguments.points,
                               .metrics = arguments.metrics});
   const bool keep = !arguments.output.empty();
@@ -116,9 +110,7 @@ int compare(const Registry& registry, const CompareArguments& arguments) {
   const RunSummary summary = run_with_bar(registry, plan, options);
 
   const store::ExperimentRecord& experiment = summary.results.experiments.front();
-  const auto table = std::ranges::find(experiment.tables, compare_table_id, &store::TableRecord::id);
-  const bool page = arguments.format == "table" || arguments.format == "latex";
-  fmt::print("{}", format_table(page && arguments.metrics.empty() ? narrow(*table) : *table, arguments.format));
+  fmt::print("{}", formatted_comparison(experiment, arguments.format, !arguments.metrics.empty()));
   if (keep) {
     draw_report(summary.results, arguments.output);
     fmt::print(stderr, "kappabench: the page is {}\n", (arguments.output / "index.html").string());

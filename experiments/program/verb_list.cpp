@@ -43,7 +43,8 @@ ordered_json schemes_json(const Registry& registry) {
                     {"hermite", traits.hermite},
                     {"parameters", parameters},
                     {"marks", marks},
-                    {"libraries", info.libraries}});
+                    {"libraries", info.libraries},
+                    {"plugin", info.plugin}});
   }
   return list;
 }
@@ -92,6 +93,7 @@ ordered_json things(const Registry& registry, std::string_view what) {
 void print_text(std::string_view what, const ordered_json& list) {
   for (const ordered_json& item : list) {
     fmt::print("{:<24} {}", item["id"].get<std::string>(), item["title"].get<std::string>());
+    if (what == "schemes" && item["plugin"] != "") fmt::print(" (from {})", item["plugin"].get<std::string>());
     if (what == "datasets") {
       const int curves = item["curves"].get<int>();
       fmt::print(" ({} curve{}, {} points)", curves, curves == 1 ? "" : "s", item["points"].get<int>());
@@ -117,6 +119,8 @@ int list(const Registry& registry, const ListArguments& arguments) {
     fmt::print("{}\n", list.dump(2));
   else
     print_text(arguments.what, list);
+  if (!arguments.json && arguments.what == "schemes")
+    for (const PluginFailure& failure : arguments.failed_plugins) fmt::print("not loaded: {}\n", failure.why);
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "schemes/api/registry.hpp"
+#include "schemes/plugin/plugins.hpp"
 
 namespace kappabench {
 
@@ -14,6 +15,7 @@ namespace kappabench {
 struct ListArguments {
   std::string what;  ///< schemes | datasets | metrics | experiments
   bool json = false;
+  std::vector<PluginFailure> failed_plugins{};
 };
 int list(const Registry& registry, const ListArguments& arguments);
 
@@ -38,12 +40,22 @@ struct CompareArguments {
   std::vector<std::string> points;
   std::vector<std::string> schemes{};
   std::vector<std::string> metrics{};
-  std::string format = "table";     ///< table | csv | json | latex
-  std::filesystem::path output{};   ///< a folder for the report; empty: only the table
-  std::filesystem::path against{};  ///< a results file whose schemes stand beside; empty: none
+  std::vector<std::string> curves{};  ///< files of curves that were made elsewhere
+  std::string format = "table";       ///< table | csv | json | latex
+  std::filesystem::path output{};     ///< a folder for the report; empty: only the table
+  std::filesystem::path against{};    ///< a results file whose schemes stand beside; empty: none
   int processes = 1;
 };
 int compare(const Registry& registry, const CompareArguments& arguments);
+
+struct MeasureArguments {
+  std::vector<std::string> curves;    ///< files
+  std::vector<std::string> points{};  ///< drawings; empty: the curves' own points
+  std::vector<std::string> metrics{};
+  std::string format = "table";    ///< table | csv | json | latex
+  std::filesystem::path output{};  ///< a folder for the report; empty: only the table
+};
+int measure(const Registry& registry, const MeasureArguments& arguments);
 
 struct CheckArguments {
   std::string scheme{};  ///< ID[:key=value,...]; empty with `all`
@@ -75,6 +87,13 @@ struct MergeArguments {
   std::filesystem::path results;
 };
 int merge_verb(const Registry& registry, const MergeArguments& arguments);
+
+struct NewSchemeArguments {
+  std::string name;
+  std::filesystem::path folder;
+  std::string kind = "in-tree";  ///< in-tree | plugin | python | matlab
+};
+int new_scheme(const Registry& registry, const NewSchemeArguments& arguments);
 
 struct DiffArguments {
   std::filesystem::path before, after;

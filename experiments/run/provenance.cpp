@@ -86,7 +86,11 @@ std::map<std::string, std::string> provenance(const Registry& registry) {
       {"google_benchmark", KAPPABENCH_BENCHMARK},
       {"hdf5", store::hdf5_version()},
       {"freetype", freetype_version()}};
-  for (const SchemeInfo& scheme : registry.list()) all.insert(scheme.libraries.begin(), scheme.libraries.end());
+  for (const SchemeInfo& scheme : registry.list()) {
+    all.insert(scheme.libraries.begin(), scheme.libraries.end());
+    if (!scheme.plugin.empty())
+      all.emplace("plugin_" + scheme.id, fmt::format("{}, digest {}", scheme.plugin, scheme.plugin_digest));
+  }
   return all;
 }
 

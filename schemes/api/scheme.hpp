@@ -76,6 +76,8 @@ class Scheme {
   Scheme(SchemeInfo info, Parameters parameters);
 
  private:
+  friend class LibraryScheme;  // schemes/plugin: the same scheme, that knows where it came from
+
   /// The author's part: curve and report for an input that passed the checks.
   [[nodiscard]] virtual Fit solve(const Input& input) const = 0;
   [[nodiscard]] virtual Fit resolve(const Fit& fit, const Edit& edit) const;
