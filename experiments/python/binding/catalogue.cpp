@@ -36,14 +36,14 @@ py::dict python_of(const SchemeInfo& info) {
   for (const MarkSpec& mark : info.marks)
     marks.append(py::dict(py::arg("name") = mark.name, py::arg("help") = mark.help));
   const SchemeTraits& traits = info.traits;
-  return py::dict(py::arg("id") = info.id, py::arg("title") = info.title, py::arg("citation") = info.citation,
-                  py::arg("version") = info.version, py::arg("open") = traits.open, py::arg("closed") = traits.closed,
-                  py::arg("fewest_open_points") = traits.fewest_open_points,
-                  py::arg("fewest_closed_points") = traits.fewest_closed_points,
-                  py::arg("continuity") = name(traits.continuity),
-                  py::arg("continuity_exceptions") = traits.continuity_exceptions,
-                  py::arg("locality") = traits.locality, py::arg("hermite") = traits.hermite,
-                  py::arg("parameters") = parameters, py::arg("marks") = marks, py::arg("libraries") = info.libraries);
+  return py::dict(
+      py::arg("id") = info.id, py::arg("title") = info.title, py::arg("citation") = info.citation,
+      py::arg("version") = info.version, py::arg("open") = traits.open, py::arg("closed") = traits.closed,
+      py::arg("fewest_open_points") = traits.fewest_open_points,
+      py::arg("fewest_closed_points") = traits.fewest_closed_points, py::arg("continuity") = name(traits.continuity),
+      py::arg("continuity_exceptions") = traits.continuity_exceptions, py::arg("locality") = traits.locality,
+      py::arg("hermite") = traits.hermite, py::arg("parameters") = parameters, py::arg("marks") = marks,
+      py::arg("libraries") = info.libraries, py::arg("plugin") = info.plugin);
 }
 
 py::dict python_of(const Metric& metric) {

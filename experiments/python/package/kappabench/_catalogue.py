@@ -32,7 +32,8 @@ def schemes() -> list[dict[str, Any]]:
     -------
     list of dict
         id, title, citation, version; open, closed, fewest_open_points, fewest_closed_points, continuity,
-        continuity_exceptions, locality, hermite; parameters (each name, default, range, help), marks, libraries.
+        continuity_exceptions, locality, hermite; parameters (each name, default, range, help), marks, libraries, plugin (the file of one
+        from outside, else empty).
     """
     return _registry.list()
 
