@@ -81,7 +81,7 @@ double ArcMap::segment_length(int segment) const {
   return starts_[i + 1] - starts_[i];
 }
 
-double ArcMap::position(const Place& place) const {
+double ArcMap::position(const CurvePlace& place) const {
   const auto i = static_cast<std::size_t>(place.segment);
   if (place.t <= 0.0) return starts_[i];
   if (place.t >= 1.0) return starts_[i + 1];
@@ -93,7 +93,7 @@ double ArcMap::position(const Place& place) const {
   return starts_[i] + panel->start + legendre_integral(panel->speed, x);
 }
 
-Place ArcMap::place(double s) const {
+CurvePlace ArcMap::place(double s) const {
   if (closed_ && length() > 0.0) {
     s = std::fmod(s, length());
     if (s < 0.0) s += length();

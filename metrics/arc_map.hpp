@@ -8,7 +8,7 @@
 namespace kappabench {
 
 /// A place on a curve.
-struct Place {
+struct CurvePlace {
   int segment;
   double t;
 };
@@ -28,9 +28,9 @@ class ArcMap {
   /// are not smooth, or not finite: what is measured along them is then NaN.
   [[nodiscard]] bool accurate() const { return accurate_; }
   /// Arc length from the start of the curve, 0 to length().
-  [[nodiscard]] double position(const Place& place) const;
+  [[nodiscard]] double position(const CurvePlace& place) const;
   /// The place at arc length s, taken modulo the length on a closed curve, clamped on an open one.
-  [[nodiscard]] Place place(double s) const;
+  [[nodiscard]] CurvePlace place(double s) const;
 
  private:
   struct Panel {

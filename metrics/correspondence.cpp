@@ -45,7 +45,7 @@ std::vector<Span> spans(const Curve& curve, std::optional<int> left_out) {
     const double to = closing ? nodes.front().position + arcs.length() : nodes[i + 1].position;
     Span span{nodes[i].node.point, nodes[(i + 1) % n].node.point, {}};
     for (int k = 0; k < samples_per_span; ++k) {
-      const Place place = arcs.place(from + (to - from) * k / (samples_per_span - 1));
+      const CurvePlace place = arcs.place(from + (to - from) * k / (samples_per_span - 1));
       span.samples.push_back(curve.segment(place.segment).jet(place.t, 0).position());
     }
     result.push_back(std::move(span));

@@ -18,13 +18,13 @@ using Kind = ProfilePoint::Kind;
 
 double curvature_at(const Segment& segment, double t) { return curvature(segment.jet(t, 2)); }
 
-ProfilePoint point_at(const Segment& segment, const Place& place, Kind kind, double known_to) {
+ProfilePoint point_at(const Segment& segment, const CurvePlace& place, Kind kind, double known_to) {
   const Jet jet = segment.jet(place.t, 2);
   const double error = curvature_error(jet.d[1], jet.d[2], rounding_error(segment, jet.position(), known_to));
   return {place, curvature(jet), kind, std::isfinite(error) ? error : 0.0};
 }
 
-ProfilePoint end_point(const Segment& segment, const Place& place, double known_to) {
+ProfilePoint end_point(const Segment& segment, const CurvePlace& place, double known_to) {
   const ProfilePoint end = point_at(segment, place, Kind::end, known_to);
   const bool rests = !(speed(segment.jet(place.t, 1)) > 1e-8 * speed(segment.jet(0.5, 1)));
   if (std::isfinite(end.curvature) && !rests) return end;

@@ -17,7 +17,7 @@ namespace kappabench {
 /// A point of the curvature plot between which and the next the curvature is monotone.
 struct ProfilePoint {
   enum class Kind { end, extremum, cusp };
-  Place place;
+  CurvePlace place;
   double curvature;  ///< one-sided at a joint and at a cusp, where it is infinite
   Kind kind;
   double error = 0.0;  ///< how much of the curvature rounding of the coordinates explains

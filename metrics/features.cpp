@@ -64,7 +64,7 @@ class Landmarks {
 
 /// A stretch of a segment on which the curvature has one sign.
 struct Stretch {
-  Place start;
+  CurvePlace start;
   int sign;  ///< 0: it is no more than rounding
 };
 

@@ -28,8 +28,8 @@ std::vector<PlacedNode> nodes_in_order(const Curve& curve, const ArcMap& arcs) {
 }
 
 std::vector<Part> parts_between(const Curve& curve, const ArcMap& arcs, double s0, double s1) {
-  const Place from = arcs.place(s0);
-  const Place to = arcs.place(s1);
+  const CurvePlace from = arcs.place(s0);
+  const CurvePlace to = arcs.place(s1);
   std::vector<Part> parts;
   const auto add = [&parts](int segment, double t0, double t1) {
     if (t0 < t1) parts.push_back({segment, t0, t1});

@@ -9,8 +9,8 @@ namespace kappabench {
 
 /// A point that the curve passes twice, transversally.
 struct Crossing {
-  Place first;
-  Place second;
+  CurvePlace first;
+  CurvePlace second;
   Vec2 position;
 };
 

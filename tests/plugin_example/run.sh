@@ -30,7 +30,7 @@ grep -q 'cmake -S my-spline' next
 cmake -S my-spline -B my-spline/build -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_FLAGS="${PLUGIN_FLAGS:-}" >/dev/null
 cmake --build my-spline/build >/dev/null
 plugin=my-spline/build/my_spline.so
-expect 0 "claims hold" "$kappabench" check my-spline --plugin "$plugin"
+expect 0 "continuity     held" "$kappabench" check my-spline --plugin "$plugin"
 expect 0 '"outcome":"converged"' "$kappabench" fit bird --plugin "$plugin" --scheme my-spline:tension=0.4
 expect 0 "my-spline" "$kappabench" compare toy --plugin "$plugin" --format csv
 expect 0 "my_spline.so)" "$kappabench" list schemes --plugin "$plugin"

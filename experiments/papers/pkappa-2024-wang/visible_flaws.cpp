@@ -12,7 +12,7 @@ namespace kappabench::wang {
 
 namespace {
 
-double curvature_at(const Curve& curve, const Place& place) {
+double curvature_at(const Curve& curve, const CurvePlace& place) {
   return curvature(curve.segment(place.segment).jet(place.t, 2));
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("arc length of a circle, and back", "[arc]") {
   for (int k = 0; k < 50; ++k) {
     const double s = length * k / 50.0;
     CHECK(std::abs(arcs.position(arcs.place(s)) - s) < 1e-12);
-    const Place around = arcs.place(s + arcs.length());
+    const CurvePlace around = arcs.place(s + arcs.length());
     CHECK(std::abs(arcs.position(around) - s) < 1e-11);
   }
 }
