@@ -97,7 +97,7 @@ assert(~isempty(stopped(1).message) && ~isempty(stopped(1).segments));
 
 % ------------------------------------------------------------------------------------------------------------ errors
 refused('a row is a point: give n x 2', 'fit', P', 'kappa');
-refused('unknown scheme ''kapa''; known are kappa', 'fit', P, 'kapa');
+refused('unknown scheme ''kapa''; did you mean kappa', 'fit', P, 'kapa');
 refused('a=2: allowed is', 'fit', P, 'ekappa', 'a', 2);
 refused('needs at least 3', 'fit', P(1:2, :), 'kappa', 'closed', true);
 refused('point 5: unknown key', 'fit', P, 'fpc', 'options', {[], [], [], [], struct('typ', 'cusp')});

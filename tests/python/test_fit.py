@@ -73,7 +73,7 @@ def test_options_of_points(five):
         (lambda P: kb.fit([["a", "b"]], "kappa"), r"points are not numbers"),
         (lambda P: kb.fit([[0, 0], [1]], "kappa"), r"points are not numbers"),
         (lambda P: kb.fit([], "kappa"), r"0 points; an open curve needs at least"),
-        (lambda P: kb.fit(P, "kapa"), r"unknown scheme 'kapa'; known are kappa"),
+        (lambda P: kb.fit(P, "kapa"), r"unknown scheme 'kapa'; did you mean kappa"),
         (lambda P: kb.fit(P, "ekappa", a=2.0), r"scheme 'ekappa': a=2: allowed is a number in \[0.6667, 1\)"),
         (lambda P: kb.fit(P, "ekappa", b=2.0), r"unknown parameter 'b'; known are a"),
         (lambda P: kb.fit(P, "ekappa", a="x"), r"a=x: allowed is a number"),
