@@ -68,11 +68,11 @@ struct CommandLine {
     add_merge(registry);
     add_report();
     add_diff();
-    add_new_scheme(registry);
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
       verb->add_option("--plugin", plugins,
                        "FILE with schemes from outside: *.toml or a shared library; may be repeated")
           ->allow_extra_args(false);
+    add_new_scheme(registry);
   }
 
   static int all_processors() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
@@ -248,6 +248,7 @@ struct CommandLine {
 std::vector<std::filesystem::path> plugins_named(int argc, char** argv) {
   constexpr std::string_view option = "--plugin";
   std::vector<std::filesystem::path> files;
+  if (argc > 1 && std::string_view(argv[1]) == "new-scheme") return files;  // whose --plugin is another one
   for (int i = 1; i < argc; ++i) {
     const std::string_view word(argv[i]);
     if (word == option && i + 1 < argc) files.emplace_back(argv[++i]);

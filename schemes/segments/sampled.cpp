@@ -23,8 +23,10 @@ SampledSegment::SampledSegment(SampledForm form) : form_(std::move(form)) {
   if (count < 2) throw std::invalid_argument("SampledSegment: at least two samples are needed");
   if (form_.position.size() != count || form_.first.size() != count || form_.second.size() != count)
     throw std::invalid_argument("SampledSegment: a position and two derivatives for each parameter");
-  const bool ascending = std::ranges::adjacent_find(form_.t, std::greater_equal{}) == form_.t.end();
-  if (!ascending || form_.t.front() != 0.0 || form_.t.back() != 1.0)  // which no NaN gets through, either
+  // A NaN is before nothing.
+  const auto not_before = [](double a, double b) { return !(a < b); };
+  const bool ascending = std::ranges::adjacent_find(form_.t, not_before) == form_.t.end();
+  if (!ascending || form_.t.front() != 0.0 || form_.t.back() != 1.0)
     throw std::invalid_argument("SampledSegment: parameters ascend from 0 to 1");
   if (!finite(form_.position) || !finite(form_.first) || !finite(form_.second))
     throw std::invalid_argument("SampledSegment: a sample is not finite");

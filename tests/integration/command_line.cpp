@@ -63,7 +63,7 @@ TEST_CASE("the trigonometric scheme names the nodes where |curvature| has a mini
   const json curve = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.55").out).at(0);
   REQUIRE(curve["nodes"].size() == 8);
   for (const json& node : curve["nodes"]) CHECK(node["marks"] == json::array({"curvature_minimum"}));
-  const json sharp = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.8").out);
+  const json sharp = json::parse(run(folder, "fit octagon.txt --scheme ekappa-trig:a=0.8").out).at(0);
   for (const json& node : sharp["nodes"]) CHECK(node["marks"] == json::array());
 }
 

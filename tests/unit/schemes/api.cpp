@@ -55,7 +55,8 @@ TEST_CASE("a wrong parameter is named with what would be right") {
 TEST_CASE("the registry knows its schemes and refuses others by name") {
   const Registry& registry = all_schemes();
   CHECK(registry.parse("cubic-spline:parameter=uniform")->parameters().text("parameter") == "uniform");
-  CHECK_THROWS_WITH(registry.parse("spline"), ContainsSubstring("unknown scheme 'spline'; known are"));
+  CHECK_THROWS_WITH(registry.parse("spline"),
+                    ContainsSubstring("unknown scheme 'spline'; did you mean cubic-spline? known are"));
   CHECK_THROWS_WITH(registry.parse("cubic-spline:knots=3"),
                     ContainsSubstring("scheme 'cubic-spline': unknown parameter"));
 }

@@ -14,12 +14,15 @@ SegmentPtr line(Vec2 from, Vec2 to) { return std::make_shared<PolynomialSegment>
 
 Vec2 at(const Curve& curve, const Node& node) { return curve.segment(node.segment).jet(node.t, 0).position(); }
 
+/// The curves of a built-in drawing.
+std::vector<Input> curves_of(const char* drawing) { return open_drawings(drawing).front().curves; }
+
 }  // namespace
 
 TEST_CASE("the nodes of every scheme are found again from its segments alone") {
   for (const SchemeInfo& info : all_schemes().list())
     for (const char* drawing : {"bird", "figure-eight", "toy", "hairpin"})
-      for (const Input& input : open_drawings(drawing).front().curves) {
+      for (const Input& input : curves_of(drawing)) {
         INFO(info.id << " on " << drawing);
         const Fit fit = scheme(info.id)->fit(input);
         if (!fit.curve || fit.report.outcome != Outcome::converged) continue;

@@ -39,13 +39,16 @@ std::string nested(int depth) {
   return text;
 }
 
+/// The curves of a built-in drawing.
+std::vector<Input> curves_of(const char* drawing) { return open_drawings(drawing).front().curves; }
+
 }  // namespace
 
 TEST_CASE("what is written is read back, bit for bit: every scheme, every drawing of a few points") {
   for (const SchemeInfo& info : all_schemes().list()) {
     const SchemePtr tested = scheme(info.id);
     for (const char* drawing : {"toy", "figure-eight", "hairpin"})
-      for (const Input& input : open_drawings(drawing).front().curves) {
+      for (const Input& input : curves_of(drawing)) {
         INFO(info.id << " on " << drawing);
         const std::vector<Fit> fits{tested->fit(input)};
         if (!fits.front().curve) continue;
@@ -113,7 +116,7 @@ TEST_CASE("hostile curve JSON is refused in one line that says where") {
   refused("", "not JSON");
   refused("{", "not JSON");
   refused("nonsense", "line 1");
-  refused(R"({"segments":[1e999]})", "out of range");
+  refused(R"({"segments":[1e999]})", "overflow");
   refused("[]", "no curve");
   refused("3", "no curve");
   refused("[3]", "curve 0: : 3; a curve is an object");
