@@ -2,9 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/geometry/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "schemes/numerics/bracketed_newton.hpp"
 
@@ -27,23 +30,38 @@ struct Passage {
   [[nodiscard]] double along() const { return segment + t; }
 };
 
-/// A segment at equal steps, and a box around what the polygon through them misses by little.
-struct Trail {
-  std::vector<Vec2> at;
-  Eigen::AlignedBox2d box;
-};
-
-Trail trail_of(const Segment& segment) {
-  Trail trail;
-  trail.at.reserve(steps + 1);
-  for (int i = 0; i <= steps; ++i) {
-    trail.at.push_back(segment.jet(static_cast<double>(i) / steps, 0).position());
-    trail.box.extend(trail.at.back());
-  }
-  const Vec2 margin = trail.box.sizes() / steps;
-  trail.box.extend(Vec2(trail.box.min() - margin));
-  trail.box.extend(Vec2(trail.box.max() + margin));
+/// A segment at equal steps.
+std::vector<Vec2> trail_of(const Segment& segment) {
+  std::vector<Vec2> trail;
+  trail.reserve(steps + 1);
+  for (int i = 0; i <= steps; ++i) trail.push_back(segment.jet(static_cast<double>(i) / steps, 0).position());
   return trail;
+}
+
+/// Around the trail, and what the polygon through it misses by little.
+Eigen::AlignedBox2d box_of(const Segment& segment) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& p : trail_of(segment)) box.extend(p);
+  const Vec2 margin = box.sizes() / steps;
+  box.extend(Vec2(box.min() - margin));
+  box.extend(Vec2(box.max() + margin));
+  return box;
+}
+
+namespace geometry = boost::geometry;
+using Corner = geometry::model::point<double, 2, geometry::cs::cartesian>;
+using Box = geometry::model::box<Corner>;
+using Boxed = std::pair<Box, std::size_t>;  ///< which segment
+using Tree = geometry::index::rtree<Boxed, geometry::index::quadratic<16>>;
+
+Corner corner_of(const Vec2& p) { return {p.x(), p.y()}; }
+
+Tree tree_of(const std::vector<Eigen::AlignedBox2d>& boxes) {
+  std::vector<Boxed> boxed;
+  boxed.reserve(boxes.size());
+  for (const Eigen::AlignedBox2d& box : boxes)
+    boxed.emplace_back(Box(corner_of(box.min()), corner_of(box.max())), boxed.size());
+  return Tree(boxed);
 }
 
 /// The parameter between `low` and `high` where the segment is nearest to p: a zero of the slope of the squared
@@ -60,11 +78,10 @@ double nearest_between(const Segment& segment, const Vec2& p, double low, double
 }
 
 /// Appends the passages of one segment.
-void append_passages(const Segment& segment, int index, const Trail& trail, const Vec2& p,
-                     std::vector<Passage>& passages) {
+void append_passages(const Segment& segment, int index, const Vec2& p, std::vector<Passage>& passages) {
   std::vector<double> distance;
-  distance.reserve(trail.at.size());
-  for (const Vec2& q : trail.at) distance.push_back((q - p).norm());
+  distance.reserve(steps + 1);
+  for (const Vec2& q : trail_of(segment)) distance.push_back((q - p).norm());
   const auto at = [&](int i) {
     const bool outside = i < 0 || i > steps;
     return outside ? std::numeric_limits<double>::infinity() : distance[static_cast<std::size_t>(i)];
@@ -78,18 +95,21 @@ void append_passages(const Segment& segment, int index, const Trail& trail, cons
   }
 }
 
-/// The passages of a point that are as near as any, in the order of the curve.
-std::vector<Passage> passages_of(std::span<const SegmentPtr> segments, const std::vector<Trail>& trails, const Vec2& p,
-                                 double noise) {
+/// The passages of a point that are as near as any, in the order of the curve: segments are looked at from the nearest
+/// box on, until one is too far.
+std::vector<Passage> passages_of(std::span<const SegmentPtr> segments, const Tree& tree, const Vec2& p, double noise) {
   std::vector<Passage> found;
   double limit = std::numeric_limits<double>::infinity();
   const auto far = [&limit, noise] { return alike * limit + noise; };
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!(trails[i].box.exteriorDistance(p) <= far())) continue;
-    append_passages(*segments[i], static_cast<int>(i), trails[i], p, found);
+  const Corner place = corner_of(p);
+  for (auto at = tree.qbegin(geometry::index::nearest(place, static_cast<unsigned>(tree.size()))); at != tree.qend();
+       ++at) {
+    if (!(geometry::distance(at->first, place) <= far())) break;
+    append_passages(*segments[at->second], static_cast<int>(at->second), p, found);
     for (const Passage& passage : found) limit = std::min(limit, passage.distance);
   }
   std::erase_if(found, [&](const Passage& passage) { return !(passage.distance <= far()); });
+  std::ranges::sort(found, {}, &Passage::along);
   return found;
 }
 
@@ -187,22 +207,25 @@ void unite_at_joints(std::vector<Passage>& passages, double around) {
 
 std::vector<Node> find_nodes(std::span<const SegmentPtr> segments, bool closed, std::span<const Vec2> points) {
   if (points.empty() || segments.empty()) return {};
-  std::vector<Trail> trails;
-  trails.reserve(segments.size());
+  std::vector<Eigen::AlignedBox2d> boxes;
+  boxes.reserve(segments.size());
   Eigen::AlignedBox2d box;
   for (const SegmentPtr& segment : segments) {
-    trails.push_back(trail_of(*segment));
-    box.extend(trails.back().box);
+    boxes.push_back(box_of(*segment));
+    box.extend(boxes.back());
   }
+  if (!box.min().allFinite() || !box.max().allFinite()) return {};
+  const Tree tree = tree_of(boxes);
   const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   const double noise = last_places * box.sizes().norm() / static_cast<double>(segments.size()) + last_place * largest;
   const auto around = static_cast<double>(segments.size());
   std::vector<std::vector<Passage>> of_points;
   of_points.reserve(points.size());
   for (const Vec2& p : points) {
-    of_points.push_back(passages_of(segments, trails, p, noise));
+    if (!p.allFinite()) return {};
+    of_points.push_back(passages_of(segments, tree, p, noise));
     if (closed || segments.size() > 1) unite_at_joints(of_points.back(), closed ? around : -1.0);
-    if (of_points.back().empty()) return {};  // not finite
+    if (of_points.back().empty()) return {};
   }
   const Choice choice = best_choice(of_points, around);
   std::vector<Node> nodes;

@@ -13,8 +13,7 @@ namespace kappabench {
 /// segment after it, or the end of an open curve.
 ///
 /// Distances are followed at 32 steps a segment, so that a segment is taken to pass a point once within two of them.
-/// Time grows with points times segments (a comparison of boxes for most of them). No nodes if the curve or a point is
-/// not finite.
+/// Segments are found by a tree of boxes: time grows with n log n. No nodes if the curve or a point is not finite.
 [[nodiscard]] std::vector<Node> find_nodes(std::span<const SegmentPtr> segments, bool closed,
                                            std::span<const Vec2> points);
 
